@@ -6,6 +6,7 @@ CORES ?= all
 STUDY = .venv/bin/python workflow/scripts/run_study.py --tier '$(TIER)' --cores '$(CORES)'
 IN_ENVIRONMENT = PATH="$(CURDIR)/.venv/bin:$$PATH"
 TESTS = pytest -q -n 2 --dist worksteal --benchmark-disable
+USUAL = not slow and not cluster and not page
 
 # The marker's name holds what the environment was made from, and where: a moved checkout, another
 # lock or an interpreter that is gone asks for a new one.
@@ -31,13 +32,13 @@ study: $(READY)  ## simulate, grade, draw and report all studies (TIER=preview|s
 	@exec $(STUDY)
 
 test: $(READY)  ## run the tests, without those of the other test targets
-	@$(IN_ENVIRONMENT) $(TESTS) -m 'not long and not slow and not cluster and not page'
+	@$(IN_ENVIRONMENT) $(TESTS) -m 'not long and $(USUAL)'
 
 test-long: $(READY)  ## run the tests of whole studies, and the other seeds of those of `make test`
-	@$(IN_ENVIRONMENT) $(TESTS) -m 'long and not slow and not cluster and not page'
+	@$(IN_ENVIRONMENT) $(TESTS) -m 'long and $(USUAL)'
 
 test-all: $(READY)  ## run the tests of `make test` and `make test-long` together, which saves repeated work
-	@$(IN_ENVIRONMENT) $(TESTS) -m 'not slow and not cluster and not page'
+	@$(IN_ENVIRONMENT) $(TESTS) -m '$(USUAL)'
 
 test-slow: $(READY)  ## run the slow tests
 	@$(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable -m 'slow and not cluster'

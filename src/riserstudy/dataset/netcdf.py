@@ -67,9 +67,9 @@ def refuse_damaged(path: Path) -> None:
 
     Raises InputError when it is damaged, or a pipe, for which the library would wait.
     """
-    if path.exists() and not (path.is_file() or path.is_dir()):
-        raise InputError(path, "", "this is not a regular file", "give the path of a dataset")
-    if not path.is_file():  # the library refuses it
+    if not path.is_file():
+        if path.exists() and not path.is_dir():  # the library refuses a folder itself
+            raise InputError(path, "", "this is not a regular file", "give the path of a dataset")
         return
     with path.open("rb") as stream:
         size = stream.seek(0, os.SEEK_END) - LINE

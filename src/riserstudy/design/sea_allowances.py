@@ -156,11 +156,17 @@ def _added(scene: Resolved, limit: Limit, of: Run) -> dict[str, float]:
         above = _motion(of, limit.output, "largest", nodes.get(where), row, at_rest[where])
         below = -_motion(of, limit.output, "smallest", nodes.get(where), row, at_rest[where])
         sided = below if limit.side == "smallest" else above
-        swing = of.swings.get(limit.output, np.zeros(1))
-        swing = swing[nodes[where]] if where in nodes and limit.output in of.swings else swing
-        both = max(above, below, float(np.max(swing)))
-        added[where] = both if limit.output in SIGNED else sided
+        either = max(above, below, _swing(of, limit.output, nodes.get(where)))
+        added[where] = either if limit.output in SIGNED else sided
     return added
+
+
+def _swing(of: Run, output: str, nodes: slice | None) -> float:
+    """Largest magnitude of the change of a vector in space, of any of the nodes; 0 for other outputs."""
+    if output not in of.swings:
+        return 0.0
+    found = of.swings[output]
+    return float(np.max(found if nodes is None else found[nodes]))
 
 
 def _of_cylinders(of: Run, output: str) -> list[float]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -114,15 +114,20 @@ def shortest_shedding_period(scene: Resolved) -> float:
 
     It is that of the current in a scene without waves; infinite without vortices.
     """
-    shortest, foot = shedding_period(scene), _lower_end(scene)
-    for section in scene.riser:
-        if section.viv and scene.wave and math.isfinite(shortest):
-            places = np.linspace(foot, foot + section.total_length, PLACES)
-            speed = float(np.max(_speed(scene, places) + _speed_of_waves(scene, places)))
-            fastest = section.viv.highest_frequency * speed
-            shortest = min(shortest, section.viv.diameter / fastest) if fastest > 0.0 else shortest
-        foot += section.total_length
-    return shortest
+    shortest = shedding_period(scene)
+    if scene.wave is None or scene.water is None or math.isinf(shortest):
+        return shortest
+    sections = [*_shedding_sections(scene)]
+    places = np.concatenate([of.places for of in sections])
+    crest = speed_at_crest(scene.wave, scene.water, scene.gravity or 0.0, places)
+    speed = _speed(scene, places) + np.where(in_water(scene, places), crest, 0.0)
+    fastest = speed.reshape(len(sections), -1).max(axis=1)
+    own = [
+        of.viv.diameter / (of.viv.highest_frequency * u)
+        for of, u in zip(sections, fastest, strict=True)
+        if u > 0.0
+    ]
+    return float(min([shortest, *own]))
 
 
 def synchronised(scene: Resolved, frequency: float, edge: float = 0.0) -> float:
@@ -155,21 +160,35 @@ def slowest(scene: Resolved) -> float:
     """
     if scene.current is None or not shedding(scene):
         return 0.0
-    foot = _lower_end(scene)
     rates, frequencies = [], []
-    for section in scene.riser:
-        if section.viv:
-            places = np.linspace(foot, foot + section.total_length, PLACES)
-            speed = _speed(scene, places)
-            rates.append(section.viv.diameter * speed**3 * section.total_length)
-            frequencies.append(section.viv.frequencies[0] * speed / section.viv.diameter)
-        foot += section.total_length
+    for viv, length, places in _shedding_sections(scene):
+        speed = _speed(scene, places)
+        rates.append(viv.diameter * speed**3 * length)
+        frequencies.append(viv.frequencies[0] * speed / viv.diameter)
     power, each = np.concatenate(rates), np.concatenate(frequencies)
     if power.sum() == 0.0:
         return 0.0
     order = each.argsort()
     taken = power[order].cumsum() / power.sum()
     return 0.5 * float(each[order][int(np.searchsorted(taken, IDLE))])
+
+
+class _Section(NamedTuple):
+    """A section that sheds vortices."""
+
+    viv: VortexInducedVibration
+    length: float  # (m)
+    places: FloatArray  # (PLACES,) elevations before the riser stretches, from end to end (m)
+
+
+def _shedding_sections(scene: Resolved) -> Iterator[_Section]:
+    """Sections that shed vortices, from the lowest on."""
+    foot = _lower_end(scene)
+    for section in scene.riser:
+        head = foot + section.total_length
+        if section.viv:
+            yield _Section(section.viv, section.total_length, np.linspace(foot, head, PLACES))
+        foot = head
 
 
 def _lower_end(scene: Resolved) -> float:
@@ -195,14 +214,6 @@ def _speed(scene: Resolved, elevations: FloatArray) -> FloatArray:
         return np.zeros_like(elevations)
     z, velocity = _flow(scene, scene.current)
     speed = np.sqrt(sum(np.interp(elevations, z, part) ** 2 for part in velocity))
-    return np.where(in_water(scene, elevations), speed, 0.0)
-
-
-def _speed_of_waves(scene: Resolved, elevations: FloatArray) -> FloatArray:
-    """Horizontal speed (m/s) of the water at the crest of the wave, at elevations (m); 0 above the water."""
-    if not (scene.wave and scene.water):
-        return np.zeros_like(elevations)
-    speed = speed_at_crest(scene.wave, scene.water, scene.gravity or 0.0, elevations)
     return np.where(in_water(scene, elevations), speed, 0.0)
 
 

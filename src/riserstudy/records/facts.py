@@ -58,7 +58,6 @@ class EnergyAudit(TypedDict, total=False):
 #: relative errors by quantity
 ErrorEstimate = dict[str, float]
 _ERROR, _NOT_LIMITED = "estimated relative error of ", ", which the tolerance does not limit"
-_SAMPLING, _LENGTH = "relative standard error of the vibration's ", ", due to the finite length of the run"
 
 
 class _Rare(TypedDict):
@@ -67,6 +66,12 @@ class _Rare(TypedDict):
 
 
 _RARE: _Rare = {"optional": True, "in_database": False}
+
+
+def _sampling(quantity: str, part: str) -> Column:
+    """The standard error of a quantity of a vibration, and the part of the fact that holds it."""
+    words = f"relative standard error of the vibration's {quantity}, due to the finite length of the run"
+    return Column(words, "1", name=f"sampling_error_{part}", part=part, **_RARE)
 
 
 class RunFacts(TypedDict, total=False):
@@ -156,20 +161,10 @@ class RunFacts(TypedDict, total=False):
     #: standard errors of a vibration's statistics due to the limited evaluated time
     sampling_error: Annotated[
         ErrorEstimate,
-        Column(
-            _SAMPLING + "displacement" + _LENGTH,
-            "1",
-            name="sampling_error_displacement",
-            part="displacement",
-            **_RARE,
-        ),
-        Column(
-            _SAMPLING + "bending moment" + _LENGTH, "1", name="sampling_error_moment", part="moment", **_RARE
-        ),
-        Column(_SAMPLING + "tension" + _LENGTH, "1", name="sampling_error_tension", part="tension", **_RARE),
-        Column(
-            _SAMPLING + "fatigue damage" + _LENGTH, "1", name="sampling_error_damage", part="damage", **_RARE
-        ),
+        _sampling("displacement", "displacement"),
+        _sampling("bending moment", "moment"),
+        _sampling("tension", "tension"),
+        _sampling("fatigue damage", "damage"),
     ]
 
     statistics: dict[str, Any]  # statistics of a vibration, for runs that are kept for comparisons
