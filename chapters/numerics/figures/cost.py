@@ -17,7 +17,6 @@ from chapters.numerics.answers import COMPARED, QUANTITIES, TOLERANCE, price, wi
 from chapters.numerics.figures.scenes import in_one_line, in_two_lines
 from riserstudy.figures.direct import legible, spread
 from riserstudy.figures.style import COLOURS, GREY, headline
-from riserstudy.records.numerals import rounded_up
 
 TICKS = (0.05, 0.02, 0.01, 0.005, 0.002, 0.0005)
 WIDEST, FINEST = 0.07, 0.0002  # ends of the axis of errors
@@ -64,7 +63,7 @@ def answer(accuracy: xr.Dataset) -> str:
     if found is None:
         return "Run time for each tolerance"
     finer = f"{found.coarse / found.fine:.0f} times finer"
-    return f"A tolerance {finer} takes at most {rounded_up(found.high, 2)} times as long"
+    return f"A tolerance {finer} takes up to {found.high:.2g} times as long"
 
 
 def _tolerances(ax: Axes, accuracy: xr.Dataset) -> list[Named]:
