@@ -169,7 +169,7 @@ def test_what_is_needed_of_the_store_are_modes_too(tmp_path):
     model = {"scene": "scenes/string.yaml", "caption": "c", "axes": {"tension": TENSION}, "modes": 3}
     (tmp_path / "studies/own.yaml").write_text(json.dumps({"paper": "own", "studies": {"one": model}}))
     keys = [point.key for point in study(tmp_path, scene="scenes/string.yaml").plan]
-    assert prune.planned(tmp_path) == {*keys, *(of_study.key_of_modes(key, 3) for key in keys)}
+    assert prune.planned(tmp_path, tmp_path) == {*keys, *(of_study.key_of_modes(key, 3) for key in keys)}
 
 
 def test_a_scene_without_mass_has_no_modes(tmp_path):

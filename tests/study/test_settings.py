@@ -8,6 +8,7 @@ import short_study
 import xarray as xr
 
 from riserstudy.database.parameters import parameters_of
+from riserstudy.database.prune import unneeded
 from riserstudy.database.read_dataset import read_dataset
 from riserstudy.dataset.provenance import scene_file_of
 from riserstudy.errors import InputError, SimulationError
@@ -63,6 +64,13 @@ studies:
     settings: tuned
     axes:
       mass: {path: "riser[0].mass", unit: kg/m, values: {start: 600, stop: 900, step: 10}}
+  few:
+    scene: scenes/riser.yaml
+    caption: few points
+    set: {analysis.duration: 10 s}
+    settings: tuned
+    axes:
+      mass: {path: "riser[0].mass", unit: kg/m, values: [600, 700, 800, 900]}
   rest:
     scene: scenes/riser.yaml
     caption: at rest
@@ -131,6 +139,23 @@ def test_every_point_says_how_it_was_run_and_runs_so_again(study_of, tmp_path, s
     for place in (place for places in some for place in places):
         values = {axis: str(dataset[axis].values[k]) for axis, k in zip(study.axes, place, strict=True)}
         assert max(rerun(dataset, values).changes.values()) < 1e-9  # ten digits are stored
+
+
+@pytest.mark.parametrize("setting", [GOOD, COARSE, None], ids=["good", "too coarse", "none"])
+def test_no_point_of_a_tuned_study_is_superfluous(study_of, tmp_path, setting):
+    """Without a database, too, after a run that was interrupted: what a tuned study stored stays."""
+    study = study_of("few")
+    tiers = {tier: {} for tier in ("preview", "standard", "reference")}
+    config = {"papers": ["settings"], "tier": "standard", "tiers": tiers}
+    (tmp_path / "config.yaml").write_text(json.dumps(config))
+    results = tmp_path / "results"
+    write_settings(settings_of(setting), results / "settings/few.settings.json")
+    found = read_settings(results / "settings/few.settings.json")
+    write_study(study, tmp_path / "study.nc", 1, lambda _: None, settings=found)
+    stored = [held.key for held in store.everything()]
+    assert len(stored) >= len(study.grid)
+    superfluous = unneeded(results / "results.sqlite", tmp_path)
+    assert (superfluous.strange, superfluous.old, superfluous.needed) == ([], [], len(stored))
 
 
 def at(dataset, place):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Set
+from collections.abc import Iterator, Set
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -13,6 +13,7 @@ from riserstudy.study import store
 from riserstudy.study.config import Config, read_config
 from riserstudy.study.modes import key_of_modes
 from riserstudy.study.read import read_studies
+from riserstudy.study.settings import read_settings, with_setting
 from riserstudy.study.study import Study
 
 
@@ -35,9 +36,10 @@ def unneeded(database: Path, config: Path) -> Unneeded:
     """Find the points of the store that are not needed.
 
     Needed are the points that a study of the configuration plans, in any tier, and the points that the
-    database, if it exists, lists. Raises InputError when the configuration is invalid.
+    database, if it exists, lists. Raises InputError when the configuration or a file of tuned settings next
+    to the database is invalid.
     """
-    keys = planned(config) | _spoken_of(database)
+    keys = planned(config, database.parent) | _spoken_of(database)
     superfluous = Unneeded(seas=_seas(config))
     for held in store.everything():
         if held.key in keys:
@@ -61,10 +63,10 @@ def _spoken_of(database: Path) -> Set[str]:
         return {key for (key,) in ask(db, "select key from points").rows}
 
 
-def planned(config: Path) -> Set[str]:
-    """Keys of all points of all configured studies, in every tier.
+def planned(config: Path, results: Path) -> Set[str]:
+    """Keys of all points of all configured studies, in every tier, also with settings tuned in ``results``.
 
-    Raises InputError when a file of the configuration cannot be read.
+    Raises InputError when a file of the configuration or a file of tuned settings cannot be read.
     """
     settings = _settings(config)
     keys: set[str] = set()
@@ -74,10 +76,18 @@ def planned(config: Path) -> Set[str]:
             accuracy = of_tier.accuracy
             for name, model in file.studies.items():
                 study = Study(paper, name, model, config, tier, accuracy, file.readings)
-                keys.update(point.key for point in study.plan)
-                if model.modes:
-                    keys.update(key_of_modes(point.key, model.modes) for point in study.plan)
+                for one in (study, *_tuned(study, results)):
+                    keys.update(point.key for point in one.plan)
+                    if model.modes:
+                        keys.update(key_of_modes(point.key, model.modes) for point in one.plan)
     return keys
+
+
+def _tuned(study: Study, results: Path) -> Iterator[Study]:
+    """Yield the study with its tuned settings, if a job has written settings for it."""
+    file = results / study.paper / f"{study.name}.settings.json"
+    if study.model.settings and file.exists() and (setting := read_settings(file).setting):
+        yield with_setting(study, setting)
 
 
 def _seas(config: Path) -> list[str]:
