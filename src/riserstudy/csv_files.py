@@ -14,6 +14,7 @@ from __future__ import annotations
 import csv
 import io
 import re
+import string
 import unicodedata
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -23,6 +24,8 @@ from riserstudy.folders import whole_file
 
 #: start of a formula, after characters that spreadsheets may ignore: space, control and invisible ones
 _FORMULA = re.compile(r"[\s\x00-\x1f\x7f\xad\u200b-\u200f\u2060\ufeff]*[=+\-@\t\n]")
+#: first characters of texts that are no formula
+_PLAIN = frozenset(string.ascii_letters + string.digits)
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?inf|nan", re.ASCII)
 
 
@@ -54,7 +57,7 @@ def read_csv(path: Path) -> list[dict[str, str]]:
 
 
 def _written(cell: Any) -> Any:
-    if not isinstance(cell, str):
+    if not isinstance(cell, str) or (cell[:1] in _PLAIN and "\r" not in cell):
         return cell
     # the writer does not quote a line that ends with "\r" alone; the text after it would be a cell
     cell = cell.replace("\r\n", "\n").replace("\r", "\n")

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
+from riserstudy.figures import save
 from riserstudy.figures.figure_text import csv_table, description
 
 
@@ -61,3 +62,23 @@ def test_lines_of_one_value_and_steps_of_a_histogram_are_told():
     np.testing.assert_allclose(np.sum(line, axis=1), 1.0)
     steps = [(a, b) for name, a, b in told if name == "samples"]
     assert {(0.0, 2.0), (1.0, 2.0), (1.0, 1.0), (2.0, 1.0)} <= set(steps)
+
+
+@pytest.mark.parametrize("engine", ["constrained", "tight", "none"])
+def test_a_figure_has_one_layout_in_all_formats_and_is_prepared_once(tmp_path, monkeypatch, engine):
+    figure = Figure(layout=engine)
+    left, right = figure.subplots(1, 2)
+    left.plot([0.0, 1.0], [0.0, 2e6])
+    right.set_ylabel("a long name of the ordinate")
+    draw, drawn = Figure.draw, []
+
+    def counted(self, renderer):
+        drawn.append([ax.get_position().bounds for ax in self.axes])
+        draw(self, renderer)
+
+    monkeypatch.setattr(Figure, "draw", counted)
+    targets = [tmp_path / f"a.{kind}" for kind in ("png", "pdf", "svg", "csv")]
+    save(figure, *targets)
+    assert all(target.stat().st_size for target in targets)
+    assert len(drawn) == 1 + 3  # for the layout, and for each picture
+    assert drawn[1] == drawn[2] == drawn[3]

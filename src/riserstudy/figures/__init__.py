@@ -49,8 +49,13 @@ def save(figure: Figure, *targets: Path) -> None:
     """
     from riserstudy.figures.figure_text import csv_table
 
+    import matplotlib as mpl
+
     figure.draw_without_rendering()  # computes the layout once
-    figure.set_layout_engine("none")  # the same layout for all formats
+    # The same layout for all formats. With a layout engine, even one that does nothing, matplotlib prepares
+    # the figure again for each format; None removes the engine unless the settings name one.
+    with mpl.rc_context({"figure.autolayout": False, "figure.constrained_layout.use": False}):
+        figure.set_layout_engine(None)
     for target in targets:
         target.parent.mkdir(parents=True, exist_ok=True)
         with whole_file(target, zlib.error) as partial:  # zlib.error: a PDF that is not closed
