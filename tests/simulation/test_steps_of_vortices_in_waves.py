@@ -15,12 +15,16 @@ from riserstudy.simulation.starting_mesh import period
 LONG = 600.0  # s, period of a wave whose water moves alike at all depths
 
 
+def in_words(wave):
+    return {"amplitude": f"{wave[0]} m", "period": f"{wave[1]} s", "above_mean_level": "none"}
+
+
 def of(speed, wave=None, **analysis):
     """The short riser in a uniform current (m/s), and in a wave of an amplitude (m) and a period (s)."""
     tree = copy.deepcopy(SCENE)
     tree["current"] = {"profile": {"shape": "uniform", "surface_speed": f"{speed} m/s"}}
-    if wave:
-        tree["wave"] = {"amplitude": f"{wave[0]} m", "period": f"{wave[1]} s", "above_mean_level": "none"}
+    if wave is not None:
+        tree["wave"] = in_words(wave)
     tree["analysis"] |= analysis
     return SceneFile("riser.yaml", tree, {}).resolved()
 
@@ -65,6 +69,16 @@ def test_a_long_wave_calls_for_the_steps_of_a_current_as_fast(seed):
     both = of(slow, ((fast - slow) / np.sqrt(still.gravity / depth), LONG))
     assert period(both) == pytest.approx(period(still), rel=0.01)
     assert period(of(slow)) > 1.5 * period(still)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_wave_in_still_water_calls_for_the_steps_of_its_crest(seed):
+    """A wave sheds as fast without a current as in the slowest of currents."""
+    wave = np.random.default_rng((seed, 3)).uniform([1.0, 8.0], [4.0, 16.0])
+    slow = of(1e-6, wave)
+    alone = copy.deepcopy(SCENE) | {"wave": in_words(wave)}
+    assert period(SceneFile("riser.yaml", alone, {}).resolved()) == pytest.approx(period(slow), rel=1e-5)
+    assert period(of(0.0, wave)) == pytest.approx(period(slow), rel=1e-5)
 
 
 def test_a_step_too_long_for_vortices_in_waves_is_warned_of():

@@ -224,7 +224,7 @@ def test_a_frequency_is_that_of_a_sine(hertz):
 def test_a_run_says_where_its_vibration_includes_what_waves_and_platform_do(kind, period, said):
     """Without lift, what is left of the vibration is all theirs, and as fast as they are."""
     viv = PIPE["viv"] | {"coefficient": 1e-6, "ramp": "2 s"}
-    changes = {"riser[0].viv": viv, "analysis__duration": "20 s"}
+    changes = {"riser[0].viv": viv, "analysis__duration": "20 s", "analysis__output__interval": "16 ms"}
     if kind == "wave":
         changes["water.surface"] = "14 m"
         changes["wave"] = {"amplitude": "0.2 m", "period": f"{period} s", "above_mean_level": "none"}

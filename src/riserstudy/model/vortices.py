@@ -16,7 +16,6 @@ from riserstudy.model.layout import Layout, lower_end
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect, Model
 from riserstudy.model.sea import current_velocity, in_water, speed_at_crest
-from riserstudy.scene.forcing import Current
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import VortexInducedVibration
 
@@ -95,13 +94,13 @@ def ramp_of(scene: Resolved) -> float:
 
 
 def shedding_period(scene: Resolved, free: bool = False) -> float:
-    """Shortest period of vortices in the flow past the riser (s); infinite without vortices.
+    """Shortest period of vortices in the current past the riser (s); infinite without vortices.
 
     ``free``: period of the lift on a riser at rest; else of the highest frequency of lift or varying drag.
     """
-    if scene.current is None or not shedding(scene):
+    if not shedding(scene):
         return math.inf
-    speed = float(np.linalg.norm(_flow(scene, scene.current)[1], axis=0).max())
+    speed = float(np.linalg.norm(_flow(scene)[1], axis=0).max())
     if speed == 0.0:
         return math.inf
     return min(
@@ -112,10 +111,11 @@ def shedding_period(scene: Resolved, free: bool = False) -> float:
 def shortest_shedding_period(scene: Resolved) -> float:
     """Shortest period of vortices (s) when the current and the largest wave flow in the same direction.
 
-    It is that of the current in a scene without waves; infinite without vortices.
+    It is that of the current in a scene without waves, and that of the wave in one without current; infinite
+    without vortices.
     """
     shortest = shedding_period(scene)
-    if scene.wave is None or scene.water is None or math.isinf(shortest):
+    if scene.wave is None or scene.water is None or not shedding(scene):
         return shortest
     sections = [*_shedding_sections(scene)]
     places = np.concatenate([of.places for of in sections])
@@ -135,8 +135,6 @@ def synchronised(scene: Resolved, frequency: float, edge: float = 0.0) -> float:
 
     ``edge``: relative margin by which the frequency may be outside the range of the vortices.
     """
-    if scene.current is None:
-        return 0.0
     foot, within = _lower_end(scene), 0.0
     for section in scene.riser:
         length = section.total_length
@@ -158,7 +156,7 @@ def slowest(scene: Resolved) -> float:
     speed. A vibration whose amplitude varies also varies the drag, and the riser then moves along the flow
     more slowly than this frequency. 0 without current.
     """
-    if scene.current is None or not shedding(scene):
+    if not shedding(scene):
         return 0.0
     rates, frequencies = [], []
     for viv, length, places in _shedding_sections(scene):
@@ -198,9 +196,11 @@ def _lower_end(scene: Resolved) -> float:
     return lower_end(scene, length)
 
 
-def _flow(scene: Resolved, current: Current) -> tuple[FloatArray, FloatArray]:
+def _flow(scene: Resolved) -> tuple[FloatArray, FloatArray]:
     """Elevations (m), and the velocity of the current there, relative to a towed riser, (2, n), m/s."""
-    z, velocity = current_velocity(current, scene.water)
+    z, velocity = np.zeros(1), np.zeros((2, 1))
+    if scene.current:
+        z, velocity = current_velocity(scene.current, scene.water)
     cruise = scene.platform.cruise if scene.platform else None
     if cruise and scene.bottom.hold == "free":
         heading = cruise.heading or 0.0
@@ -210,9 +210,7 @@ def _flow(scene: Resolved, current: Current) -> tuple[FloatArray, FloatArray]:
 
 def _speed(scene: Resolved, elevations: FloatArray) -> FloatArray:
     """Speed of the flow past the riser at elevations (m) in the water (m/s), 0 above it and in the ground."""
-    if scene.current is None:
-        return np.zeros_like(elevations)
-    z, velocity = _flow(scene, scene.current)
+    z, velocity = _flow(scene)
     speed = np.sqrt(sum(np.interp(elevations, z, part) ** 2 for part in velocity))
     return np.where(in_water(scene, elevations), speed, 0.0)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -30,8 +31,9 @@ Array = NDArray[np.float64]
 LATER = 0.5  # share of the time after all ramps that is evaluated
 FEWEST = 16  # smallest number of outputs for statistics
 STEPS, OUTPUTS = 20, 4  # smallest numbers of time steps and outputs in a period of the vortices
-# number of outputs in a period of the vortices below which outputs show a vibration at other frequencies
-FOLDED = 2
+# number of outputs in a period below which outputs show a motion at another frequency, or, close to two
+# outputs in a period, at the same phases
+FOLDED = 2.5
 
 
 def since(scene: Resolved) -> float | None:
@@ -62,9 +64,9 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
     start = since(scene)
     if start is None or "y" not in arrays:
         return
-    period, interval = shedding_period(scene), float(np.diff(arrays["time"][:2])[0])
-    if step > (fastest := shortest_shedding_period(scene)) / STEPS:
-        waves = " in current and waves" if fastest < period else ""
+    fastest, interval = shortest_shedding_period(scene), float(np.diff(arrays["time"][:2])[0])
+    if step > fastest / STEPS:
+        waves = " in current and waves" if fastest < shedding_period(scene) else ""
         facts["warnings"].append(
             f"riser.viv: the time step is too long: {fastest / step:.3g} steps per shortest shedding period "
             f"of {fastest:.3g} s{waves}; use a time step of {fastest / (2 * STEPS):.2g} s"
@@ -76,10 +78,11 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
             "vibration. Run longer, or with a shorter analysis.output.interval"
         )
         return
+    period, name = _shortest_period(scene, fastest)
     if interval > period / FOLDED:
         facts["warnings"].append(
             f"riser.viv: outputs every {interval:.3g} s may show fast vibrations as slow motion, since the "
-            f"shortest shedding period is {period:.3g} s, so statistics of the vibration are not computed; "
+            f"{name} is {period:.3g} s, so statistics of the vibration are not computed; "
             f"give an analysis.output.interval of {at_most(period / OUTPUTS, 2)} s"
         )
         return
@@ -108,10 +111,21 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
         facts["vibration_frequency"] = frequency(time, principal(parts, most))
         return
     facts["warnings"].append(
-        f"riser.viv: outputs every {interval:.3g} s cannot resolve the shortest shedding period of "
+        f"riser.viv: outputs every {interval:.3g} s cannot resolve the {name} of "
         f"{period:.3g} s, so no frequency is computed; give an analysis.output.interval of "
         f"{at_most(period / OUTPUTS, 2)} s"
     )
+
+
+def _shortest_period(scene: Resolved, shedding: float) -> tuple[float, str]:
+    """Shortest period (s) of the motion that counts as vibration, and its name.
+
+    ``shedding``: shortest shedding period (s).
+    """
+    moved = scene.shortest_period or math.inf
+    if moved < shedding:
+        return moved, "shortest period of waves and platform"
+    return shedding, "shortest shedding period"
 
 
 def _scatter(parts: list[Array], s: Array) -> float:
