@@ -47,9 +47,9 @@ def save(figure: Figure, *targets: Path) -> None:
     A PNG contains a description in words, which becomes its alternative text; CSV contains the plotted
     values. Raises SimulationError when a file cannot be written, as on a full disk.
     """
-    from riserstudy.figures.figure_text import csv_table
-
     import matplotlib as mpl
+
+    from riserstudy.figures.figure_text import csv_table
 
     figure.draw_without_rendering()  # computes the layout once
     # The same layout for all formats. With a layout engine, even one that does nothing, matplotlib prepares
