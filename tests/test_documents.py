@@ -167,6 +167,7 @@ def test_no_page_that_a_checkout_points_to_is_an_empty_shell():
                 assert len((found["kept"] or "").splitlines()) > 3, f"{page.name}: {found[1]}"
 
 
+@pytest.mark.long
 def test_a_link_that_leads_nowhere_stops_the_build(tmp_path):
     """With the settings of the site, on a page of its own."""
     for part in ("conf.py", "_extensions", "_static"):

@@ -116,6 +116,7 @@ def test_at_each_end_of_an_envelope_a_check_uses_all_of_the_limit_that_governs(c
     assert ends >= 8
 
 
+@pytest.mark.long
 def test_a_higher_sea_narrows_the_envelope_within_that_of_calm_water(commands, tmp_path):
     speed = ("--current", "0.5 m/s")
     _, _, calm = envelope(commands, tmp_path, *speed, *words(SEA))

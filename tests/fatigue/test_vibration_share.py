@@ -76,6 +76,7 @@ def test_in_steady_current_vibration_brings_all_of_the_damage(tmp_path):
     assert years.worst[0].rate == pytest.approx(float(np.nanmax(expected)), rel=1e-6)
 
 
+@pytest.mark.long
 def test_studies_that_cannot_be_compared_are_refused(tmp_path):
     """A share of vibration needs vibration in the first study only, at the same places of the wall."""
     path = tmp_path / "currents.csv"

@@ -13,6 +13,8 @@ from riserstudy.grading import ClaimsFile, above, claim, grade_claims, read_clai
 from riserstudy.grading.open_inputs import sampled
 from riserstudy.records.graded import Grounds
 
+pytestmark = pytest.mark.long
+
 EXAMPLES = Path(__file__).parents[2] / "examples/grading"
 NAMES = ("pendulum", "heat_fin", "predator_prey")
 ALONE = """

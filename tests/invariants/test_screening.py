@@ -47,6 +47,7 @@ def test_in_space_only_modes_across_the_flow_are_excited(seed):
         assert (differences <= np.maximum(5e-3, 3.0 * apart)).all(), name
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("spatial", [False, True])
 @pytest.mark.parametrize("seed", seeds(8, few=3))
 def test_amplitudes_do_not_depend_on_the_mesh(seed, spatial, monkeypatch):

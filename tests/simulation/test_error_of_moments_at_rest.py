@@ -1,5 +1,6 @@
 """The estimated error of the moment at rest, beside segments an eighth as long."""
 
+import pytest
 from random_rigs import rig, written
 
 from riserstudy.scene.load import SceneFile
@@ -22,6 +23,7 @@ def ratio(seed):
     return true["moment"] / found.facts["error_estimate"]["moment"]
 
 
+@pytest.mark.long
 def test_a_second_order_error_at_ends_and_at_the_surface_is_not_hidden():
     """On the coarsest meshes, errors of higher order are larger, and decrease faster.
 

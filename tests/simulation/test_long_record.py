@@ -41,6 +41,7 @@ def work(refinement):
     return sum(run["elements"] * run["newton_iterations"] for run in refinement.spent)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.slow)])
 def test_it_errs_by_less_than_asked_and_works_less(seed):
     scene = record(seed)

@@ -103,6 +103,7 @@ def test_a_study_in_parts_has_the_dataset_of_one_that_is_joined_at_once(
     assert not [*tmp_path.glob(".*.nc*")]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name, at_once", [("meshes", 2), ("allowed", 4), ("allowed", 9)])
 def test_points_on_several_meshes_or_with_several_allowables_are_joined_at_once(
     study_of, tmp_path, monkeypatch, name, at_once

@@ -105,6 +105,7 @@ def test_true_errors_at_points_that_were_not_tuned_on_stay_below_the_request(fil
     assert found.work < 0.7  # of what requests cost: else tuning is of no use
 
 
+@pytest.mark.long
 def test_the_same_seed_tunes_to_the_same_setting_at_the_same_points(file):
     first, again = (tune(study_of(file, "surge"), "5 %", 4, 5) for _ in range(2))
     assert first == again

@@ -26,6 +26,8 @@ from riserstudy.grading.rows import ErratumRow, table
 from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.study import Study
 
+pytestmark = pytest.mark.long
+
 
 @pytest.mark.long
 def test_loads_are_those_of_the_slip_at_both_ends(datasets):

@@ -16,6 +16,8 @@ from riserstudy.dataset.result import Result
 from riserstudy.study.measured import Setting
 from riserstudy.study.read import read_studies
 
+pytestmark = pytest.mark.long
+
 CONFIG = Path(__file__).parents[3] / "config"
 STUDY = read_studies(CONFIG, "numerics").measured["accuracy"]
 HISTORY = CONFIG.parent / "tests/verification/data/S2c.npz"

@@ -54,6 +54,7 @@ def test_every_kind_of_scene_of_the_chapters_is_a_whole_scene(tier):
         file.resolved()
 
 
+@pytest.mark.long
 def test_scenes_of_the_study_itself_have_effects_that_no_chapter_has():
     study = read_studies(CONFIG, "numerics").measured["effects"]
     slow = {"standard": ["without bending"]}  # whose kernels no other test needs

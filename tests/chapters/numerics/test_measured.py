@@ -70,6 +70,7 @@ def test_finer_tiers_estimate_smaller_errors(monkeypatch):
         assert draw("numerics", "tiers", {"tiers": some.expand_dims("scene")}).axes
 
 
+@pytest.mark.long
 def test_a_papers_own_setting_is_a_candidate_beside_ours(tmp_path):
     case = MEASURED["long_runs"].cases["46 hours"]
     own = case.own.replaced(step=0.01)

@@ -104,6 +104,7 @@ SHEAR = {
 }
 
 
+@pytest.mark.long
 def test_references_of_a_vibration_that_begins_otherwise_agree_within_their_errors():
     """Several modes take turns, so that phases at the begin decide the histories, and refinement does not."""
     found = []

@@ -159,6 +159,7 @@ def test_a_table_of_utf_16_is_refused_with_the_remedy(tmp_path):
         compared(run(), path)
 
 
+@pytest.mark.long
 def test_a_large_table_is_read(tmp_path):
     """A million values, 20 MB."""
     path = tmp_path / "other.csv"
