@@ -106,7 +106,7 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
         if bool(always)
     ]
     done = f"{' and '.join(effects)} motion" if effects else "change little"
-    headline(figure, f"Tensioners {done} compared with a top on the platform")
+    headline(figure, f"Tensioners {done} compared with a riser fixed to the platform")
     key_below(figure, axes[0], 3)
     return figure
 

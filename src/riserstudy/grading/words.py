@@ -27,7 +27,7 @@ DECIDES = 1.0 / 3.0  # smallest share of the outcome's variance that deciding in
 ROUNDING = 1e-14  # smaller values are rounding errors
 MANY, NAMED = 12, 6  # of more than MANY interpretations, only NAMED are named
 NOT_ONE = "no single input or pair"  # instead of deciding inputs, if none explains most of the outcome
-_HIT = {"number": ("met", "missed"), "claim": ("true", "false")}
+_HIT = {"number": ("met", "not met"), "claim": ("true", "false")}
 _JUDGED = {"number": "the published value is", "claim": "the claim is"}
 
 

@@ -167,7 +167,9 @@ def _results(kind: Kind, unit: str, grounds: Grounds) -> list[tuple[str, str]]:
     """Rows of the table of results, without samples and margins."""
     rows = []
     if grounds.together is not None:
-        rows.append(("Cases that meet this value, judged alone", alone_in_words(grounds.together)))
+        rows.append(
+            ("Cases that meet this value, with or without the others", alone_in_words(grounds.together))
+        )
     if grounds.settled is not None:
         of = grounds.settled
         after = f"more than {of.samples}" if of.after is None else f"{of.after}"
