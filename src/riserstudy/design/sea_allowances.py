@@ -29,6 +29,7 @@ from riserstudy.study.in_sea import Sea, in_sea
 
 FloatArray = NDArray[np.float64]
 OUTPUTS = 20  # smallest number of outputs in the shortest period of a sea
+SHEAR = "shear_force"
 NO_VESSEL = "replace it by `platform`, with `top.x: platform`"
 
 
@@ -71,13 +72,15 @@ class Run(NamedTuple):
     mesh: Mesh
     moving: Result
     rest: Result
-    # in space, largest magnitudes of the changes of vectors from rest, by output: one value, or (n + 1,)
+    # largest magnitudes of the changes of shear and, in space, of vectors from rest, by output: one value, or
+    # (n + 1,)
     swings: Mapping[str, FloatArray]
 
 
 def _run(scene: Resolved, there: Resolved) -> Run:
     """Run a scene ``there``, in the sea; ``scene`` is itself."""
-    peaked = directions(there) == len("xyz") or there.top.tensioners
+    sheared = any(limit.output == SHEAR for limit in there.limits or [])
+    peaked = directions(there) == len("xyz") or there.top.tensioners or sheared
     moving = run(_often(there) if peaked else there)
     mesh, still = mesh_of(scene, moving.arrays["l0"]), static(scene)
     rest = Rest(still, mesh)
@@ -88,7 +91,7 @@ def _run(scene: Resolved, there: Resolved) -> Run:
 def _often(there: Resolved) -> Resolved:
     """The scene with outputs at all nodes, and so frequent that they miss few peaks.
 
-    Extremes over all steps know neither vectors in space nor single cylinders.
+    Extremes over all steps know neither vectors in space nor single cylinders, nor the sides of a node.
     """
     output = there.analysis.output
     if output is None or there.shortest_period is None:
@@ -99,20 +102,27 @@ def _often(there: Resolved) -> Resolved:
 
 
 def _swings(scene: Resolved, mesh: Mesh, moving: Result, rest: Rest) -> dict[str, FloatArray]:
-    """In space, the largest magnitude of the change of angles, moments and shear from rest, as vectors.
+    """Largest magnitude of the change of shear from rest; in space, also of angles and moments, as vectors.
 
     A magnitude alone hides motions through zero, and motions across the direction at rest, which add to the
-    demand at other offsets. In a plane, where these outputs have signs, the result is empty.
+    demand at other offsets. In a plane, angles and moments have signs. Shear is that of each side of a node:
+    where shear jumps, the side with the larger value need not be the one that changes most.
     """
     still, found = rotations_at_rest(scene, rest.model, mesh), {}
     for name, turned in moving.seen.rotations.items():
         found[name] = np.linalg.norm(turned - still[name], axis=-1).max(axis=0)
-    if "mesh_moment" in moving.arrays:
-        change, above = moving.arrays["mesh_moment"] - rest.moment, moving.arrays.get("mesh_above_ring")
+    moment = moving.arrays.get("mesh_moment")
+    if moment is not None:
+        change = moment - rest.moment
         found["bending_moment"] = np.linalg.norm(change, axis=1).max(axis=0)
-        if above is not None:
-            above = above - rest.arrays["mesh_above_ring_static"]
-        found["shear_force"] = shear(rest.arrays, change, True, above).max(axis=0)
+    elif "bending_moment" in moving.arrays and len(moving.arrays["s"]) == len(moving.arrays["s_node"]):
+        change = moving.arrays["bending_moment"] - rest.arrays["bending_moment_static"]
+    else:
+        return found
+    above = moving.arrays.get("mesh_above_ring")
+    if above is not None:
+        above = above - rest.arrays["mesh_above_ring_static"]
+    found[SHEAR] = np.abs(shear(rest.arrays, change, moment is not None, above)).max(axis=0)
     return found
 
 
@@ -144,7 +154,8 @@ def _added(scene: Resolved, limit: Limit, of: Run) -> dict[str, float]:
 
     Along the riser it is the largest of the nodes of the place. For outputs with a sign it is the motion to
     either side. The motion against the sign at rest adds to the demand at offsets where the value at rest has
-    the other sign. In space, it is also at least the magnitude of the change of the vector.
+    the other sign. In space, it is also at least the magnitude of the change of the vector. For shear, whose
+    extremes and value at rest may be of two sides of a node, it is the largest change of either side.
     """
     at_rest = {row["where"]: row for row in rows_of(scene, limit, of.rest.facts["extremes"])}
     nodes = dict(places(scene, of.mesh, limit.output)) if limit.output in ALONG else {}
@@ -156,6 +167,8 @@ def _added(scene: Resolved, limit: Limit, of: Run) -> dict[str, float]:
         above = _motion(of, limit.output, "largest", nodes.get(where), row, at_rest[where])
         below = -_motion(of, limit.output, "smallest", nodes.get(where), row, at_rest[where])
         sided = below if limit.side == "smallest" else above
+        if limit.output == SHEAR and SHEAR in of.swings:
+            above, below = _grown(of, nodes[where]), 0.0
         either = max(above, below, _swing(of, limit.output, nodes.get(where)))
         added[where] = either if limit.output in SIGNED else sided
     return added
@@ -167,6 +180,12 @@ def _swing(of: Run, output: str, nodes: slice | None) -> float:
         return 0.0
     found = of.swings[output]
     return float(np.max(found if nodes is None else found[nodes]))
+
+
+def _grown(of: Run, nodes: slice) -> float:
+    """Largest growth of the magnitude of shear (N) from rest to any time step, of any of the nodes."""
+    grown = of.moving.arrays[f"{SHEAR}_absmax"] - np.abs(of.rest.arrays[f"{SHEAR}_static"])
+    return float(grown[nodes].max())
 
 
 def _of_cylinders(of: Run, output: str) -> list[float]:
