@@ -102,11 +102,13 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
         ax.set_ylabel(DISPLACEMENT)
     effects = [
         word
-        for word, always in (("reduce", ratio.max() < 1.0), ("delay", phase_lag.min() > 0.0))
+        for word, always in (("smaller", ratio.max() < 1.0), ("later", phase_lag.min() > 0.0))
         if bool(always)
     ]
-    done = f"{' and '.join(effects)} motion" if effects else "change little"
-    headline(figure, f"Tensioners {done} compared with a riser fixed to the platform")
+    if effects:
+        headline(figure, f"On tensioners, the motion is {' and '.join(effects)} than without them")
+    else:
+        headline(figure, "Tensioners hardly change the motion")
     key_below(figure, axes[0], 3)
     return figure
 
