@@ -119,3 +119,17 @@ def test_uneven_months_are_listed_by_their_hours(seed):
     for name, of in shares.items():
         even = sum(days.values()) * whole[name] / 365.25
         assert float(of.rstrip("%")) == pytest.approx(100 * days[name] / even, abs=0.5)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_month_has_a_share_from_four_fifths_of_its_own_rows_on(seed):
+    """Each month of a common and of a leap year with just as many rows, or one fewer."""
+    draw = np.random.default_rng(seed)
+    time = pd.date_range("2003-01-01", "2004-12-31 21:00", freq="3h")
+    number = 12 * (time.year - 2003) + time.month - 1
+    whole = draw.random(24) < 0.5
+    rows = [math.ceil(0.8 * np.sum(number == k)) - (not whole[k]) for k in range(24)]
+    kept = np.concatenate([np.flatnonzero(number == k)[: rows[k]] for k in range(24)])
+    found = hours(record(time[kept]), CALM)
+    cells = [cell for row in found.by_month().rows for cell in row[1:13]]
+    assert [cell != "" for cell in cells] == whole.tolist()

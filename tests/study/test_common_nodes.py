@@ -72,6 +72,18 @@ def test_a_mesh_that_is_finest_everywhere_is_used_itself(seed):
 
 
 @pytest.mark.parametrize("seed", range(20))
+def test_nodes_of_coarser_meshes_within_its_segments_change_nothing(seed):
+    """Sums of shares of segments are whole numbers only but for rounding, which adds no segment."""
+    draw = np.random.default_rng(seed)
+    finest = layered(draw, 900.0, 40.0).round(6)
+    most = int(900.0 / (1.1 * np.diff(finest).max()))
+    coarser = [np.linspace(0.0, 900.0, int(draw.integers(1, most + 1)) + 1) for _ in range(4)]
+    nodes = common_nodes([finest, *coarser])
+    assert len(nodes) == len(finest)
+    assert np.allclose(nodes, finest, rtol=0.0, atol=2e-6)
+
+
+@pytest.mark.parametrize("seed", range(20))
 def test_an_end_of_a_section_is_kept_if_all_risers_that_reach_it_have_it(seed):
     """Risers of the same lower sections, each with some of them, on meshes graded in different ways."""
     draw = np.random.default_rng(seed)
