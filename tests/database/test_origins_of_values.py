@@ -1,4 +1,4 @@
-"""The database states the origin of every value of a point, also of values that an axis sets with an origin."""
+"""The database has each value of a point's scene with its origin, also where an axis sets or removes it."""
 
 import json
 from pathlib import Path
@@ -9,7 +9,8 @@ import workspace
 from ruamel.yaml import YAML
 
 from riserstudy import load_scene, query
-from riserstudy.scene.paths import within
+from riserstudy.database.parameters import TITLES
+from riserstudy.scene.paths import leaves, within
 
 #: values of some paths, from the whole part to a value in it
 VALUES = {
@@ -17,8 +18,13 @@ VALUES = {
     "riser[0].drag.coefficient": [0.7, 1.4],
     "platform.surge.amplitude": ["1.5 m", "200 cm"],
     "platform.surge": [{"amplitude": "1 m", "period": "11 s", "ramp": "11 s"}],
+    "bottom.rotation": ["free", {"stiffness": "40 kN*m/deg"}],
 }
-DRAG, SURGE = ([path for path in VALUES if part in path] for part in ("drag", "surge"))
+FIRST = [path for path in VALUES if "surge" not in path]
+SECOND = [path for path in VALUES if path not in FIRST]
+
+
+SCENE = Path("config/scenes/surge.yaml")
 
 
 def with_origin(draw, value, number):
@@ -42,37 +48,46 @@ def labels(draw, paths):
     return found
 
 
-def origin_of(file, path, set_by_axis):
-    """Origin and reason of a value in a scene that has all values, from the part that states one."""
+def origin_of(file, path, set_by_axis, plain):
+    """Origin and reason of a value in a scene that has all values, from the part that states one.
+
+    ``plain``: origin of values of the scene file that state none.
+    """
     stated = [part for part in file.origins if within(path, part)]
     if stated:
         nearest = file.origins[max(stated, key=len)]
         return nearest.status, nearest.why
-    return "varied" if any(within(path, own) for own in set_by_axis) else "given", ""
+    return "varied" if any(within(path, own) for own in set_by_axis) else plain, ""
 
 
-@pytest.mark.parametrize("seed", range(6))
-def test_each_value_of_a_point_has_the_origin_that_its_own_scene_states(mine, seed):
+@pytest.mark.parametrize("seed", range(4))
+def test_each_point_has_the_values_and_origins_that_its_own_scene_states(mine, seed):
     draw = np.random.default_rng(seed)
-    axes = {"one": labels(draw, DRAG), "two": labels(draw, SURGE)}
+    axes = {"one": labels(draw, FIRST), "two": labels(draw, SECOND)}
     path, yaml = Path("config/studies/plain.yaml"), YAML()
     tree = yaml.load(path)
     about = {"scene": "scenes/surge.yaml", "set": workspace.PRESCRIBED, "caption": "origins", "axes": axes}
     tree["studies"] = {"origins": json.loads(json.dumps(about))}
     tree["derived"], tree["figures"] = {}, {}
     yaml.dump(tree, path)
+    if seed % 2:  # a scene of a paper
+        yaml.dump({"paper": "plain"} | yaml.load(SCENE), SCENE)
+    plain = "published" if seed % 2 else "given"
     workspace.simulate("plain", "origins")
     workspace.built()
-    base = load_scene(Path("config/scenes/surge.yaml")).with_values(workspace.PRESCRIBED, "test")
-    asked = "select path, origin, because from points join parameters using (point)"
+    base = load_scene(SCENE).with_values(workspace.PRESCRIBED, "test")
+    asked = "select path, as_written, origin, because from points join parameters using (point)"
     asked += " where study = 'plain/origins' and position = ?"
     told = set()
     for position, (one, two) in enumerate(np.ndindex(4, 4)):
         sets = [[*axes["one"].values()][one], [*axes["two"].values()][two]]
         file = base.with_values(sets[0], "test").with_values(sets[1], "test")
         found = query(asked, [position])
-        assert {"riser[0].drag.coefficient", "platform.surge.amplitude", "top.tension"} <= {*found["path"]}
-        for where, origin, because in found.itertuples(index=False):
-            assert (origin, because) == origin_of(file, where, {**sets[0], **sets[1]}), (where, sets)
+        scene = {k: of for k, of in leaves(file.tree) if k.split(".")[0] not in TITLES}
+        written = {k: of if isinstance(of, str) else json.dumps(of) for k, of in scene.items()}
+        assert dict(zip(found["path"], found["as_written"], strict=True)) == written
+        assert len(found) == len(written)
+        for where, _, origin, because in found.itertuples(index=False):
+            assert (origin, because) == origin_of(file, where, {**sets[0], **sets[1]}, plain), (where, sets)
             told.add(origin)
-    assert {"given", "assumed"} <= told
+    assert {plain, "assumed"} <= told

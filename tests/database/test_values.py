@@ -1,9 +1,11 @@
 """What the database holds is what the datasets hold, to the last bit."""
 
+import json
 import sqlite3
 from contextlib import closing
 from pathlib import Path
 
+import netCDF4
 import numpy as np
 import pytest
 import workspace
@@ -11,6 +13,7 @@ import xarray as xr
 from compare import bits, wrong
 
 from riserstudy import simulate
+from riserstudy.database import wide_table, write_study
 from riserstudy.database.build import build
 from riserstudy.database.sources import Sources
 from riserstudy.folders import cache_folder
@@ -54,6 +57,33 @@ def test_the_comparison_sees_what_is_not_the_same(mine, spoil):
     with closing(sqlite3.connect(workspace.DATABASE)) as db:
         assert db.execute(spoil).rowcount > 0
         assert next(wrong(db, workspace.RESULTS), None) is not None
+
+
+@pytest.mark.parametrize("many", [1, 7, 60, 1000])
+def test_values_that_are_written_in_several_parts_are_those_of_their_datasets(mine, monkeypatch, many):
+    """Few rows in memory at a time, as of a study with many points."""
+    monkeypatch.setattr(write_study, "MANY", many)
+    monkeypatch.setattr(wide_table, "MANY", many)
+    workspace.DATABASE.unlink()
+    workspace.built()
+    with closing(sqlite3.connect(workspace.DATABASE)) as db:
+        assert [*wrong(db, workspace.RESULTS)] == []
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_variables_with_their_axes_in_another_order_have_their_values_in_the_right_rows(mine, seed):
+    """As a function of a chapter may return them: each over the same axes, or over some of them."""
+    draw = np.random.default_rng(seed)
+    sizes = {"a": 2, "b": 3, "c": 4}
+    made = xr.Dataset(coords={axis: np.sort(draw.random(n)) for axis, n in sizes.items()})
+    for k in range(5):
+        axes = draw.permutation([*sizes]).tolist()[: 3 if k < 3 else int(draw.integers(1, 4))]
+        made[f"value_{k}"] = (axes, draw.normal(size=[sizes[axis] for axis in axes]))
+    write_dataset(made, workspace.RESULTS / "plain/swing.nc")
+    workspace.built()
+    with closing(sqlite3.connect(workspace.DATABASE)) as db:
+        assert [*wrong(db, workspace.RESULTS)] == []
+        assert db.execute("select count(*) from plain_swing").fetchone() == (24,)
 
 
 @pytest.mark.slow
@@ -176,6 +206,18 @@ def test_what_samples_assume_stands_beside_their_results(db):
     for point, assumed in db.execute(asked).fetchall():
         assert bits(db.execute(scene, (point,)).fetchone()[0]) == bits(assumed)
         assert 1.0 <= assumed <= 3.0
+
+
+@pytest.mark.parametrize("accuracy", ["0.5 %", "2 %"])
+def test_a_tuned_study_has_the_tolerance_that_its_settings_meet(mine, accuracy):
+    """Its points have a mesh and a step in place of the tolerance."""
+    with netCDF4.Dataset(workspace.RESULTS / "plain/surge.nc", "a") as file:
+        assert "accuracy" not in json.loads(file.getncattr("scene"))["analysis"]
+        file.setncattr("settings", json.dumps({"setting": {"elements": 8}, "accuracy": accuracy}))
+    workspace.built()
+    asked = "select study, accuracy from studies where study in ('plain/surge', 'plain/meshes')"
+    with closing(sqlite3.connect(workspace.DATABASE)) as db:
+        assert dict(db.execute(asked)) == {"plain/surge": accuracy, "plain/meshes": None}
 
 
 def test_effects_say_which_are_on_and_why(db):
