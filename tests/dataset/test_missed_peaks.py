@@ -58,6 +58,28 @@ def test_the_most_missed_history_lacks_the_largest_share_of_its_range(seed):
 
 
 @pytest.mark.parametrize("seed", range(10))
+def test_rounding_where_an_output_is_zero_has_no_missed_peaks(seed):
+    """A joint that slides without force has a tension of 1e-14 N, which differs from step to step."""
+    draw = np.random.default_rng(seed)
+    time = np.arange(0.0, 60.0, 0.25)
+    (below,), (middle,), (radius,) = waves(draw, time, 1)
+    size, more = 10.0 ** draw.uniform(3.0, 7.0), draw.uniform(0.1, 0.3)
+    rounding = 1e-16 * size * draw.normal(size=len(time))
+    run = xr.Dataset(
+        {
+            "tension": (("s", "time"), np.array([size * below, rounding])),
+            "tension_min": ("s_node", [size * (middle - radius), 3.0 * rounding.min()]),
+            "tension_max": ("s_node", [size * (middle + radius + more), 3.0 * rounding.max()]),
+        },
+        {"time": time, "s": [0.0, 40.0], "s_node": [0.0, 40.0]},
+        {"extremes": "[]"},
+    )
+    name, share = most_missed(run)
+    assert name == "tension at s = 0 m"
+    assert share == pytest.approx(more / (2.0 * radius + more), abs=1e-3)
+
+
+@pytest.mark.parametrize("seed", range(10))
 def test_time_series_have_a_column_for_each_history(seed):
     """Read back cell by cell from the dataset; histories along the riser and of cylinders have places."""
     draw = np.random.default_rng(seed)

@@ -20,7 +20,8 @@ if TYPE_CHECKING:
 
 
 LOWER_ANGLE = "lfj_angle"
-NEGLIGIBLE = 1e-4  # range of a history that counts as constant, relative to its largest value
+# range of a history that counts as constant, relative to the largest value of its output, also elsewhere
+NEGLIGIBLE = 1e-4
 EVEN = 1e-6  # largest relative deviation of intervals that count as equal
 OF_A_RECORD = {
     "mean": OF_ROW, "standard deviation": OF_ROW, "mean upcrossing period": "s", "largest": OF_ROW,
@@ -104,7 +105,8 @@ def most_missed(run: xr.Dataset) -> tuple[str, float]:
     found = [("", 0.0)]
     for name, s, _, history in _histories(run, -math.inf):
         ends = _over_all_steps(run, name, s)
-        if ends is None or not ends[1] - ends[0] > NEGLIGIBLE * max(map(abs, ends)):
+        anywhere = _largest(run, name) if s is not None else 0.0
+        if ends is None or not ends[1] - ends[0] > NEGLIGIBLE * max(anywhere, *map(abs, ends)):
             continue
         (least,), (most,) = extremes(history.values[None])
         share = max(abs(ends[1] - most), abs(least - ends[0])) / (ends[1] - ends[0])
@@ -123,6 +125,14 @@ def _over_all_steps(run: xr.Dataset, name: str, s: float | None) -> tuple[float,
     rows = json.loads(run.attrs.get("extremes", "[]"))
     row = next((row for row in rows if (row["output"], row["where"]) == (name, "")), None)
     return (row["smallest"], row["largest"]) if row else None
+
+
+def _largest(run: xr.Dataset, name: str) -> float:
+    """Largest magnitude of an output over time and along the riser, in its unit.
+
+    At some places an output is only rounding, such as the tension of a joint that slides without force.
+    """
+    return float(np.fabs(run[name].values).max(initial=0.0, where=np.isfinite(run[name].values)))
 
 
 def _sizes(run: xr.Dataset) -> tuple[str, ...]:
