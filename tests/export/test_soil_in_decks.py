@@ -60,6 +60,15 @@ def test_all_lines_below_the_seabed_are_in_soil(in_clay, tmp_path):
     assert (back.bottom.hold, back.bottom.elevation) == ("foot", pytest.approx(scene.bottom.elevation))
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_a_strength_that_changes_with_depth_is_refused_in_true_words(in_clay, seed):
+    """The curve of a deck has one strength, so the refusal must not recommend one that increases."""
+    clay = CLAY | {"strength_gradient": f"{np.random.default_rng(seed).uniform(0.1, 3.0)} kPa/m"}
+    changed = in_clay.with_values({"soil.resistance": clay}, "soil")
+    with pytest.raises(InputError, match="with the same strength at all depths"):
+        write_deck(changed)
+
+
 def test_a_line_without_the_soil_of_the_others_is_refused(in_clay, tmp_path):
     deck = yaml.safe_load(write_deck(in_clay).text.lstrip("\ufeff"))
     soft = [line for line in deck["Lines"] if line.get("PyModel")]

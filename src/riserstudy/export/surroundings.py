@@ -235,7 +235,7 @@ def soil(deck: Deck) -> str | None:
         return None
     clay = ground.resistance
     if not isinstance(clay, Matlock) or clay.strength_gradient:
-        found = "only soft clay whose strength increases linearly with depth can be exported to OrcaFlex"
+        found = "only soft clay with the same strength at all depths can be exported to OrcaFlex"
         allowed = "remove 'soil:' from the scene and write P-yModels into the OrcaFlex model by hand"
         raise deck.refused("soil.resistance", found, allowed)
     if ground.damping and ground.damping.ratio:
