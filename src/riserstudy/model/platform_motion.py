@@ -21,6 +21,7 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import Storm, Swell
 
 MOTIONS = (*TRANSLATIONS, *TILTS)
+PLACES = 8  # number of places in an interval of a time series at which its speed is evaluated
 
 
 def motions(scene: Resolved) -> Iterator[Effect]:
@@ -109,6 +110,35 @@ def displacement(scene: Resolved, times: NDArray[np.float64]) -> NDArray[np.floa
             getattr(drive, "py_func", drive)(effect.record, state)
         rows.append(state.platform[0])
     return np.array(rows)
+
+
+def largest_speed(scene: Resolved, elevation: float) -> float:
+    """Largest horizontal speed (m/s) of a point of the platform in its prescribed motion, without cruise.
+
+    It is the sum of the speeds of all motions; of the response to a sea, twice their standard deviation.
+    ``elevation``: elevation of the point (m).
+    """
+    platform = scene.platform
+    if platform is None:
+        return 0.0
+    lever = abs(elevation - float(centre(platform)[2]))
+    arms = np.array([1.0, 1.0, 0.0, lever, lever, 0.0])
+    response = platform.response and (platform.response.wave or scene.wave)
+    total = 0.0
+    for effect in motions(scene):
+        of = effect.record
+        if isinstance(of, Series):
+            time = np.linspace(of.time[0], of.time[-1], PLACES * len(of.time))
+            k = np.clip(np.searchsorted(of.time, time) - 1, 0, len(of.time) - 2)
+            c, since = of.coefficient[:, k], time - of.time[k]
+            total += arms[of.motion] * float(np.abs((3 * c[0] * since + 2 * c[1]) * since + c[2]).max())
+        elif isinstance(of, Harmonic | Encountered):
+            each = arms[of.motion] * np.abs(of.amplitude * of.frequency)
+            if effect.because == "platform.response" and isinstance(response, Storm):
+                total += sum(math.sqrt(2.0 * (each[of.motion == k] ** 2).sum()) for k in range(len(arms)))
+            else:
+                total += float(each.sum())
+    return total
 
 
 def centre(platform: Platform | None) -> NDArray[np.float64]:

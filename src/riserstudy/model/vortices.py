@@ -15,6 +15,7 @@ from riserstudy.effects.vortex_lift import VortexLift
 from riserstudy.model.layout import Layout, lower_end
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect, Model
+from riserstudy.model.platform_motion import largest_speed
 from riserstudy.model.sea import current_velocity, in_water, speed_at_crest
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import VortexInducedVibration
@@ -96,11 +97,15 @@ def ramp_of(scene: Resolved) -> float:
 def shedding_period(scene: Resolved, free: bool = False) -> float:
     """Shortest period of vortices in the current past the riser (s); infinite without vortices.
 
+    If the riser is held at its lower end while the platform cruises, its upper end meets another flow.
     ``free``: period of the lift on a riser at rest; else of the highest frequency of lift or varying drag.
     """
     if not shedding(scene):
         return math.inf
-    speed = float(np.linalg.norm(_flow(scene)[1], axis=0).max())
+    _, velocity = _flow(scene)
+    speed = float(np.linalg.norm(velocity, axis=0).max())
+    if not free and scene.bottom.hold != "free":
+        speed = max(speed, float(np.linalg.norm(velocity - _cruise(scene), axis=0).max()))
     if speed == 0.0:
         return math.inf
     return min(
@@ -108,19 +113,28 @@ def shedding_period(scene: Resolved, free: bool = False) -> float:
     )
 
 
-def shortest_shedding_period(scene: Resolved) -> float:
-    """Shortest period of vortices (s) when the current and the largest wave flow in the same direction.
+def shortest_shedding_period(scene: Resolved, drift: float = 0.0) -> float:
+    """Shortest period of vortices (s) if current, largest wave and platform move in the worst directions.
 
-    It is that of the current in a scene without waves, and that of the wave in one without current; infinite
-    without vortices.
+    It is that of the current in a scene without waves and motions of the platform, and that of the wave in
+    one without current; infinite without vortices. ``drift``: largest speed of a vessel after a run (m/s).
     """
     shortest = shedding_period(scene)
-    if scene.wave is None or scene.water is None or not shedding(scene):
+    if not shedding(scene):
+        return shortest
+    moved = drift
+    if scene.top.x in ("platform", "vessel"):
+        moved = max(moved, largest_speed(scene, _upper_end(scene)))
+    if moved and scene.bottom.hold != "free":
+        moved += float(np.linalg.norm(_cruise(scene)))
+    if (scene.wave is None or scene.water is None) and moved == 0.0:
         return shortest
     sections = [*_shedding_sections(scene)]
     places = np.concatenate([of.places for of in sections])
-    crest = speed_at_crest(scene.wave, scene.water, scene.gravity or 0.0, places)
-    speed = _speed(scene, places) + np.where(in_water(scene, places), crest, 0.0)
+    aside = np.full(len(places), moved)
+    if scene.wave and scene.water:
+        aside += speed_at_crest(scene.wave, scene.water, scene.gravity or 0.0, places)
+    speed = _speed(scene, places) + np.where(in_water(scene, places), aside, 0.0)
     fastest = speed.reshape(len(sections), -1).max(axis=1)
     own = [
         of.viv.diameter / (of.viv.highest_frequency * u)
@@ -196,16 +210,29 @@ def _lower_end(scene: Resolved) -> float:
     return lower_end(scene, length)
 
 
+def _upper_end(scene: Resolved) -> float:
+    """Elevation of the riser's upper end before it stretches (m)."""
+    above = sum(section.total_length for section in scene.riser)
+    return _lower_end(scene) + above if scene.top.elevation is None else scene.top.elevation
+
+
 def _flow(scene: Resolved) -> tuple[FloatArray, FloatArray]:
     """Elevations (m), and the velocity of the current there, relative to a towed riser, (2, n), m/s."""
     z, velocity = np.zeros(1), np.zeros((2, 1))
     if scene.current:
         z, velocity = current_velocity(scene.current, scene.water)
-    cruise = scene.platform.cruise if scene.platform else None
-    if cruise and scene.bottom.hold == "free":
-        heading = cruise.heading or 0.0
-        velocity = velocity - cruise.speed * np.array([[math.cos(heading)], [math.sin(heading)]])
+    if scene.bottom.hold == "free":
+        velocity = velocity - _cruise(scene)
     return z, velocity
+
+
+def _cruise(scene: Resolved) -> FloatArray:
+    """Velocity of the platform's cruise, (2, 1), m/s."""
+    cruise = scene.platform.cruise if scene.platform else None
+    if cruise is None:
+        return np.zeros((2, 1))
+    heading = cruise.heading or 0.0
+    return cruise.speed * np.array([[math.cos(heading)], [math.sin(heading)]])
 
 
 def _speed(scene: Resolved, elevations: FloatArray) -> FloatArray:

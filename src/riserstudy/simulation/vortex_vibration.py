@@ -64,9 +64,9 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
     start = since(scene)
     if start is None or "y" not in arrays:
         return
-    fastest, interval = shortest_shedding_period(scene), float(np.diff(arrays["time"][:2])[0])
+    fastest, interval = _shortest_shedding(scene, arrays), float(np.diff(arrays["time"][:2])[0])
     if step > fastest / STEPS:
-        waves = " in current and waves" if fastest < shedding_period(scene) else ""
+        waves = " in current, waves and motions of the platform" if fastest < shedding_period(scene) else ""
         facts["warnings"].append(
             f"riser.viv: the time step is too long: {fastest / step:.3g} steps per shortest shedding period "
             f"of {fastest:.3g} s{waves}; use a time step of {fastest / (2 * STEPS):.2g} s"
@@ -115,6 +115,15 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
         f"{period:.3g} s, so no frequency is computed; give an analysis.output.interval of "
         f"{at_most(period / OUTPUTS, 2)} s"
     )
+
+
+def _shortest_shedding(scene: Resolved, arrays: dict[str, Array]) -> float:
+    """Shortest shedding period (s) of a run, which knows how fast its vessel drifted."""
+    drift = 0.0
+    if scene.vessel:
+        top = [np.gradient(arrays[name][:, -1], arrays["time"]) for name in ("x", "y")]
+        drift = float(np.hypot(*top).max())
+    return shortest_shedding_period(scene, drift)
 
 
 def _shortest_period(scene: Resolved, shedding: float) -> tuple[float, str]:
