@@ -182,3 +182,24 @@ def test_words_of_an_own_axis_are_not_those_of_a_chapter(name):
 def test_numbers_of_an_own_axis_are_named_where_their_unit_is_of_the_kind(name, unit, expected):
     axis = Numbers(path="a", unit=unit, values=[1.0])
     assert _named(name, axis, "own")["long_name"] == expected
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_runs_with_outputs_at_several_intervals_stand_at_their_places_in_any_order(seed):
+    rng = np.random.default_rng(seed)
+    amplitudes = [float(k) for k in range(1, 10)]
+    axes = {"surge_amplitude": Numbers(path="platform.surge.amplitude", unit="m", values=amplitudes)}
+    model = StudyModel(scene="scenes/bench/s2c.yaml", caption="a grid", axes=axes)
+    study = Study("bench", "grid", model, CONFIG, "standard")
+    s, results = np.linspace(0.0, LENGTH, 5), []
+    for gain, interval in zip(rng.random(9), rng.choice([0.5, 1.0, 2.0, 4.0], 9), strict=True):
+        time = np.arange(0.0, 8.5, interval)
+        x = gain * np.outer(1.0 + time, s)
+        results.append(Result({"time": time, "s": s, "s_node": s, "x": x, "x_max": x[-1]}, FACTS))
+    rng.shuffle(results)
+    found = dataset_of(study, results)
+    for amplitude, result in zip(amplitudes, results, strict=True):
+        point = found.sel(surge_amplitude=amplitude)
+        np.testing.assert_array_equal(point["x_max"], result.arrays["x_max"])
+        np.testing.assert_array_equal(point["x"].sel(time=result.arrays["time"]), result.arrays["x"])
+        assert np.isfinite(point["x"]).all("s").sum() == len(result.arrays["time"])
