@@ -10,6 +10,7 @@ import xarray as xr
 from ruamel.yaml import YAML
 
 from riserstudy import dataset_of, open_point, query, simulate
+from riserstudy.dataset.provenance import scene_file_of
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 from riserstudy.study import store
@@ -153,6 +154,25 @@ def test_a_point_says_what_its_study_left_out_and_the_rest_is_simulated_again(mi
         np.testing.assert_array_equal(whole[name].values, anew[name].values)
     np.testing.assert_array_equal(found["bending_moment_max"], whole["bending_moment_max"])
     assert open_point(key).identical(found)
+
+
+@pytest.mark.parametrize("whole", [False, True])
+@pytest.mark.parametrize("name", ["surge", "sampled", "meshes"])
+def test_a_point_has_the_origins_and_the_errors_of_its_study(here, name, whole):
+    study = dataset(f"plain/{name}")
+    for place, key in enumerate(keys(f"plain/{name}")["key"]):
+        indices = np.unravel_index(place, study["point_key"].shape)
+        at = dict(zip(study["point_key"].dims, map(int, indices), strict=True))
+        found = open_point(key, whole)
+        of_point, of_study = scene_file_of(found, {}), scene_file_of(study, at)
+        assert of_point.assumed == of_study.assumed
+        statuses = [{p: o.status for p, o in f.origins.items()} for f in (of_point, of_study)]
+        assert statuses[0] == statuses[1]
+        own = study.isel(at)
+        for quantity in ("displacement", "moment", "tension"):
+            error = own.get(f"error_{quantity}", np.nan)
+            estimate = json.loads(found.attrs["error_estimate"]).get(quantity, np.nan)
+            np.testing.assert_allclose(estimate, error, rtol=1e-12)
 
 
 @pytest.mark.parametrize("seed", range(3))
