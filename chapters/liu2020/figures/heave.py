@@ -34,7 +34,7 @@ def fig13(heave_case: xr.Dataset) -> Figure:
     top, bottom = (0.5 * float(at.max() - at.min()) for at in (tension.isel(depth=0), tension.isel(depth=-1)))
     headline(
         figure,
-        f"Heave varies the tension alike at all depths, by ±{0.5 * (top + bottom):.0f} kN"
+        f"Heave varies the tension equally at all depths, by ±{0.5 * (top + bottom):.0f} kN"
         if abs(top / bottom - 1.0) < ALIKE
         else f"Heave gives a tension amplitude of {top:.0f} kN at the top, {bottom:.0f} kN at the bottom",
     )
