@@ -72,11 +72,12 @@ CASES = {
     "still water": {"current.profile": speeds(0.0, 0.0), "riser[0].viv.ramp": "10 s"},
     "a current that turns with depth": {"current.profile": turning, "current.headings": "towards"},
     "a wire": {"riser[0].viv.diameter": "5 mm", "analysis.duration": "5 s", "analysis.step": "1 ms",
-               "analysis.output.interval": "10 ms"},
+               "analysis.output.interval": "5 ms"},
     "a column": {"riser[0].viv.diameter": "12 m", "riser[0].viv.ramp": "40 s"},
     "compression at the foot": {"top.tension": "0.45 MN", "riser[0].submerged_weight": "0.8 kN/m"},
     "a platform that surges": {"top.x": "platform",
-                               "platform": {"surge": {"amplitude": "4 m", "period": "9 s", "ramp": "18 s"}}},
+                               "platform": {"surge": {"amplitude": "4 m", "period": "9 s", "ramp": "18 s"}},
+                               "analysis.output.interval": "0.25 s"},
     "waves": {"wave": {"height": "6 m", "period": "11 s", "above_mean_level": "stretched", "ramp": "22 s"}},
 }  # fmt: skip
 
