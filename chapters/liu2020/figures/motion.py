@@ -102,13 +102,13 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
         ax.set_ylabel(DISPLACEMENT)
     effects = [
         word
-        for word, always in (("smaller", ratio.max() < 1.0), ("later", phase_lag.min() > 0.0))
+        for word, always in (("less", ratio.max() < 1.0), ("later", phase_lag.min() > 0.0))
         if bool(always)
     ]
     if effects:
-        headline(figure, f"On tensioners, the motion is {' and '.join(effects)} than without them")
+        headline(figure, f"On tensioners, the riser moves {' and '.join(effects)} than on the platform")
     else:
-        headline(figure, "Tensioners hardly change the motion")
+        headline(figure, "Tensioners hardly change the motion of the riser")
     key_below(figure, axes[0], 3)
     return figure
 
