@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator
+from functools import cache, partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -102,10 +103,10 @@ def most_missed(run: xr.Dataset) -> tuple[str, float]:
     The share is 0 where a dataset has no extremes over all steps, as in studies. The name includes the place.
     Raises InputError as `of_a_run` does.
     """
-    found = [("", 0.0)]
+    found, largest = [("", 0.0)], cache(partial(_largest, run))
     for name, s, _, history in _histories(run, -math.inf):
         ends = _over_all_steps(run, name, s)
-        anywhere = _largest(run, name) if s is not None else 0.0
+        anywhere = largest(name) if s is not None else 0.0
         if ends is None or not ends[1] - ends[0] > NEGLIGIBLE * max(anywhere, *map(abs, ends)):
             continue
         (least,), (most,) = extremes(history.values[None])
