@@ -14,7 +14,7 @@ from riserstudy.study.config import Config, read_config
 from riserstudy.study.modes import key_of_modes
 from riserstudy.study.read import read_studies
 from riserstudy.study.settings import read_settings, with_setting
-from riserstudy.study.study import Study
+from riserstudy.study.study import Study, settings_path
 
 
 @dataclass
@@ -85,7 +85,7 @@ def planned(config: Path, results: Path) -> Set[str]:
 
 def _tuned(study: Study, results: Path) -> Iterator[Study]:
     """Yield the study with its tuned settings, if a job has written settings for it."""
-    file = results / study.paper / f"{study.name}.settings.json"
+    file = settings_path(results, study.paper, study.name)
     if study.model.settings and file.exists() and (setting := read_settings(file).setting):
         yield with_setting(study, setting)
 

@@ -29,7 +29,7 @@ from riserstudy.study.config import GRADED
 from riserstudy.study.grid import Point
 from riserstudy.study.measured import MeasuredModel, Setting
 from riserstudy.study.store import canonical, key_of
-from riserstudy.study.study import threads_worth
+from riserstudy.study.study import settings_path, threads_worth
 
 #: modules that join points, derive, grade and report
 COLLECT, DERIVE = "riserstudy.study.join", "riserstudy.chapters.derive"
@@ -60,7 +60,7 @@ class Workplan(Configuration):
     def settings_files(self, paper: str, study: str, *_shard: str) -> list[str]:
         """The file with the tuned settings of a study; empty for a study that is not tuned."""
         tuned = self.files[paper].studies[study].settings
-        return [f"results/{paper}/{study}.settings.json"] if tuned else []
+        return [settings_path(Path("results"), paper, study).as_posix()] if tuned else []
 
     def settings_option(self, paper: str, study: str, *_shard: str) -> str:
         """Command-line option that passes this file to a job; empty without a file."""

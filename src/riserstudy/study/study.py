@@ -277,6 +277,11 @@ def _content(folder: Path, name: str, held: Mapping[str, str] | None) -> str:
     return hashlib.sha256(text.encode()).hexdigest()
 
 
+def settings_path(results: Path, paper: str, study: str) -> Path:
+    """Path of the file with the tuned settings of a study."""
+    return results / paper / f"{study}.settings.json"
+
+
 def threads_worth(points: int) -> int:
     """Number of useful threads for a study; with few points, other studies run in parallel instead."""
     return max(1, min(8, math.ceil(points / 32)))
