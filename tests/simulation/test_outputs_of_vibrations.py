@@ -4,6 +4,7 @@ import copy
 
 import numpy as np
 import pytest
+from random_rigs import rig, written
 from short_riser import SCENE
 
 from riserstudy.model.vortices import shortest_shedding_period
@@ -14,6 +15,8 @@ from riserstudy.simulation.vortex_vibration import enter
 STATISTICS = ("vibration_rms", "vibration_rms_max", "vibration_frequency")
 DENSER = 10  # factor of the denser outputs
 STEP = 0.05  # s
+VIV = {"model": "synchronisation", "coefficient": 1.2, "memory": 20.0, "seed": 3}
+VIV |= {"frequencies": [0.11, 0.18, 0.26], "ramp": 10.0}
 KINDS = ("wave", "wave and slow current", "tow", "tow in waves")
 
 
@@ -44,17 +47,11 @@ def facts_of(scene, arrays, every):
     return facts
 
 
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("seed", range(3))
-def test_statistics_of_coarse_outputs_are_right_or_absent(kind, seed):
-    """Outputs at the periods of waves and vortices, and at shorter and longer intervals."""
-    tree = drawn(kind, seed)
-    scene = SceneFile("riser.yaml", tree, {}).resolved()
+def compare_outputs(scene, seed, periods):
+    """Outputs at periods (s) and at shorter intervals: statistics are right, or absent with a warning."""
     arrays = run(scene, estimated=False).arrays
     draw = np.random.default_rng((seed, 9))
-    known = [shortest_shedding_period(scene)]
-    known += [float(tree["wave"]["period"].split()[0])] if "wave" in tree else []
-    for period in known:
+    for period in periods:
         for share in (1.0, 0.5, *draw.uniform(0.2, 0.5, 4)):
             every = max(1, round(share * period / DENSER / STEP))
             coarse, dense = (facts_of(scene, arrays, one) for one in (DENSER * every, every))
@@ -63,3 +60,30 @@ def test_statistics_of_coarse_outputs_are_right_or_absent(kind, seed):
                     assert coarse[name] == pytest.approx(dense[name], rel=0.05), (name, every)
             missing = [name for name in STATISTICS if name not in coarse]
             assert not missing or any("outputs" in text for text in coarse["warnings"])
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("seed", range(3))
+def test_statistics_of_coarse_outputs_are_right_or_absent(kind, seed):
+    tree = drawn(kind, seed)
+    scene = SceneFile("riser.yaml", tree, {}).resolved()
+    waves = [float(tree["wave"]["period"].split()[0])] if "wave" in tree else []
+    compare_outputs(scene, seed, [shortest_shedding_period(scene), *waves])
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_statistics_of_coarse_outputs_on_inclined_tensioners_are_right_or_absent(seed):
+    """Rigs in a slow current, in waves or below a surging platform, at rest in a plane or with a sway."""
+    draw = np.random.default_rng((seed, 5))
+    tree = rig(seed, spatial=bool(seed % 2), conductor=False)
+    for section in tree["riser"]:
+        section["viv"] = VIV | {"diameter": section["drag"]["diameter"]}
+    tree["current"]["profile"]["surface_speed"] = float(draw.uniform(0.02, 0.1))
+    motion = {"amplitude": float(draw.uniform(1.0, 3.0)), "period": float(draw.uniform(9.0, 14.0))}
+    if seed % 4 < 2:
+        tree["wave"] = motion | {"above_mean_level": "none"}
+    else:
+        tree["platform"]["surge"] = motion | {"ramp": 20.0}
+    analysis = {"duration": 240.0, "step": STEP, "mesh": {"elements": 60}, "output": {"interval": STEP}}
+    scene = SceneFile("rig.yaml", written(tree | {"analysis": analysis})).resolved()
+    compare_outputs(scene, seed, [shortest_shedding_period(scene), motion["period"]])
