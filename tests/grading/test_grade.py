@@ -119,7 +119,7 @@ def test_a_case_of_many_cells_is_told_by_its_range_its_share_and_what_decides():
     assert found.verdict == "calibrated"
     told = (
         "Nothing tuned: the values are 2 to 7; the published value is met in 8 of 16 samples (50 %), "
-        "decided by lever."
+        "depending most on lever."
     )
     assert found.note == told
 

@@ -72,7 +72,7 @@ def test_a_row_says_first_what_is_certain():
     assert row_of(found).depends_on == (
         "line: true with “chord”; false with “tangent”; "
         "with “least squares”, true in 64 of 128 samples (50 %, 95 % confidence interval 41 to 59 %), "
-        "decided by a"
+        "depending most on a"
     )
     same = claim(of_lines([1.0, 0.0], other=1.0), base, base={"line": "chord"})
     assert row_of(same).depends_on == "line: true with “chord”; no difference with “tangent”"
@@ -181,9 +181,9 @@ def test_what_was_chosen_by_a_claim_is_told_and_proves_nothing_where_it_is_not_v
     assert found.verdict == verdict
     note = row_of(found).note
     then = (
-        "The samples also include other values of this input"
+        "The samples also include other values of the chosen input"
         if varied
-        else "No sample varies this assumption"
+        else "No sample varies the chosen assumption"
     )
     assert f"the base case agrees with the paper: the profile. {then}" in note
     assert Grounds.from_json(row_of(found).grounds) == found.grounds

@@ -211,12 +211,12 @@ def test_differences_of_a_hundredth_of_a_per_cent_hold_nothing():
     assert (share.met, share.same, share.samples) == (0, 256, 256)
     note = row_of(found).note
     assert (
-        '"Smaller" is interpreted as a difference of at least 2 %; less than 2 % counts as no difference.'
-        in note
+        'The word "smaller" is interpreted as a difference of at least 2 %; '
+        "values that differ by less than 2 % count as equal." in note
     )
     assert (
-        "true in 0 of 256 samples (0 %, 95 % confidence interval 0 to 1 %) "
-        "(in 256, the compared values are nearly equal)" in note.lower()
+        "true in 0 of 256 samples (0 %, 95 % confidence interval 0 to 1 %; "
+        "in 256, the compared values are nearly equal)" in note.lower()
     )
-    assert "Base case: the value is 1; this counts as no difference." in note
+    assert "Base case: the value is 1; the compared values are nearly equal." in note
     assert all(case.same and not case.met for case in found.cases)

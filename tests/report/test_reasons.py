@@ -50,8 +50,8 @@ def test_numbers_are_values_and_not_interpretations():
     readings = [Reading({"speed": speed}, "true", share) for speed in (2.0, 2.5)]
     text = summary_by_reading("claim", [*readings, Reading({"speed": 3.0}, "false", Share(0, 1))])
     assert "interpretation" not in text
-    assert "with the values “2” and “2.5”." in text
-    assert "with the value “3”." in text
+    assert "with the values “speed 2” and “speed 2.5”." in text
+    assert "with the value “speed 3”." in text
 
 
 ANSWERS = ["true", "no difference", "false", "depends"]

@@ -61,7 +61,8 @@ def test_marks_of_the_options_fill_the_width_once(seed, count):
 
 
 @pytest.mark.parametrize(
-    "count, said", [(60, " case in "), (300, "shows every second case"), (700, "shows one case in 3.")]
+    "count, said",
+    [(60, "is drawn"), (300, "Only every second case is drawn."), (700, "one of every 3 cases is drawn.")],
 )
 def test_cases_that_are_not_drawn_are_told(count, said):
     caption = curve(ordered(cases(1, count), [])).caption

@@ -57,7 +57,7 @@ def test_what_rests_on_such_points_in_its_base_or_in_every_case_cannot_be_graded
     for points in ([10, 12], [*range(10, 16)]):
         found = without_points(db, [CLAIM], {STUDY: points})
         assert found.bound == [CLAIM]
-        assert found.left.startswith("Another verdict cannot be graded")
+        assert found.left.startswith("The other verdict cannot be graded")
 
 
 def test_a_fitted_value_stays_one(db):

@@ -86,7 +86,7 @@ def test_no_limit_that_is_not_evaluated_somewhere_passes_for_one_that_is_met(see
     exceeded, unknown = ({k for k in range(3) if w in words[:, k]} for w in ("exceeded", "not evaluated"))
     assert table.sentences.startswith(f"{len(exceeded) or 'None'} of 3 limits ")
     assert (f"; {len(unknown)} " in table.sentences) == bool(unknown)
-    assert ("not evaluated at some point" in table.sentences) == bool(unknown)
+    assert ("not evaluated at one or more points" in table.sentences) == bool(unknown)
 
 
 def test_the_report_tells_it_in_the_units_of_the_configuration(tmp_path):

@@ -166,7 +166,7 @@ def test_the_page_tells_verdicts_errata_scenes_and_times(sources):
     pressure = r"top.tensioners.gas.pressure 190.2 bar absolute [a-z_, ]+ assumed the table gives bar"
     assert re.search(pressure, text)
     assert re.search(r"platform.heave.amplitude varied [a-z_, ]+ axis heave_amplitude", text)
-    assert "“tensioner model” has 2 options: gas law; linear." in text
+    assert "“tensioner model” has 2 options: “gas law”; “linear”." in text
     assert "The elapsed times of the simulations add up to" in text
     assert "Compiling the engine took 81.5 s" in text
     assert "CPU time" not in text  # each point has its elapsed time, whatever else the machine did
@@ -226,13 +226,13 @@ def test_bands_options_margins_and_notes_are_told_apart(claims):
     assert found["A10"].sentences == ["As in A1."]
     assert found["A10"].agreement == "200 of 256"
     assert found["A10"].results == [
-        ("Base case", "The judged quantity is 3; the claim is true."),
+        ("Base case", "The simulated value is 3; the claim is true."),
         ("Margin of the base case", "+10 %"),
         ("Margins of 90 % of all cases", "−2 to +30 %"),
     ]
     assert found["A2"].sentences == []
     assert found["A2"].results == [
-        ("Base case", "The judged quantity is 1.5; the claim is true."),
+        ("Base case", "The simulated value is 1.5; the claim is true."),
         ("Margin of the base case", "+25 %"),
     ]
     assert found["B0"].sentences == found["B0"].results == []

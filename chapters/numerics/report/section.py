@@ -81,8 +81,8 @@ def hard_cases(stability: xr.Dataset) -> list[str]:
     met, count = int(stability["as_expected"].sum()), stability.sizes["case"]
     text = listed(f"“{outcome}” ({number})" for outcome, number in outcomes.most_common())
     return [
-        f"{met} of {counted(count, 'hard case')} ended with the expected outcome. The outcomes, with the "
-        f"number of cases, are {text}."
+        f"{met} of {counted(count, 'hard case')} ended with the expected outcome. The outcomes of the hard "
+        f"cases, with the number of cases, are {text}."
     ]
 
 
@@ -96,8 +96,8 @@ def known(validation: xr.Dataset) -> str:
     named = [f"{n}, {q}" for n, q in zip(bad["name"].values, bad["quantity"].values, strict=True)]
     but = f" These do not agree: {'; '.join(named)}." if named else ""
     return (
-        f"{met} results agree with a known value within the tolerance. The sources of the known values are "
-        f"{text}.{but}"
+        f"{met} results agree with a known value within the tolerance of the comparison. The sources of the "
+        f"known values are {text}.{but}"
     )
 
 
@@ -112,7 +112,7 @@ def stable_steps(steps: xr.Dataset) -> str:
     ends = dict.fromkeys(f"{float(end):.3f}" for end in (ratio.min(), ratio.max()))
     return (
         f"In explicit integration, the longest stable time step was found to {STEP_FOUND:g} %. "
-        f"Its ratio to the predicted step is {' to '.join(ends)}. "
+        f"This longest step is {' to '.join(ends)} times the step that the engine predicts. "
         + (
             f"Too long are the predictions for {listed(named)}."
             if named
@@ -133,9 +133,9 @@ def costs(effects: xr.Dataset) -> list[str]:
     spent = effects.attrs["cold_compile_core_seconds"]
     compiled = f"Before its first run, the engine compiles {effects.attrs['compiled_functions']} functions"
     return [
-        f"The most expensive effects are {listed(named)}. The percentage is the share of the run time in the "
-        "scene in which this share is highest.",
-        f"{compiled}. This takes {duration(cold, 3)} ({spent:.0f} core-seconds)."
+        f"The most expensive effects are {listed(named)}. Each percentage is the largest share of the run "
+        "time that the effect takes in any scene.",
+        f"{compiled}. The compilation takes {duration(cold, 3)} ({spent:.0f} core-seconds)."
         if cold == cold
         else f"{compiled}. Their compile time is unknown, because some were compiled before the measurement.",
     ]
@@ -171,9 +171,9 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
     if work.sizes["drawn"]:
         middle, most = (float(x) for x in work.quantile([0.5, 0.95]))
         lines.append(
-            "To meet a tolerance, the engine refines mesh and time step in several runs. Their work is "
-            "divided by the work of the cheapest single run of equal error, with a uniform mesh. "
-            f"The median of this ratio is {middle:.2g}. In 95 % of the scenes it is at "
+            "To meet a tolerance, the engine refines mesh and time step in several runs. The work of these "
+            "runs is divided by the work of the cheapest single run of equal error, with a uniform mesh. "
+            f"The median of this ratio of work is {middle:.2g}, and in 95 % of the scenes the ratio is at "
             f"most {most:.2g}. In {counted(none, 'scene')} no tested single run of equal error requires less "
             "work than the refinements."
         )

@@ -91,7 +91,8 @@ def _times(found: Price, scenes: np.ndarray, seconds: np.ndarray) -> str:
     return (
         f"With a tolerance of {100 * found.coarse:g}\u00a0% for {listed(QUANTITIES)}, {what} "
         f"{low if low == high else f'{low} to {high}'}\u00a0ms. "
-        f"With {100 * found.fine:g}\u00a0%, {'it takes' if one else 'they take'} {found.words} times as long."
+        f"With a tolerance of {100 * found.fine:g}\u00a0%, {'it takes' if one else 'these scenes take'} "
+        f"{found.words} times as long."
     )
 
 
@@ -106,18 +107,18 @@ def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
     if silent:
         words.append(number)
         number = f"{silent} of {counts.compared} results inaccurate without a warning"
-    left = [
-        f"{count} {'is' if count == 1 else 'are'} {end}"
-        for count, end in ((refused, "refused with a reason"), (other, "not as expected"))
-        if count
-    ]
-    if left:
-        words.append(f"of the others, {listed(left)}" if len(left) > 1 else f"the other {left[0]}")
-    words.append("difficulties are, for example, compression and disconnects")
+    ends_of = [(refused, "refused with a stated reason"), (other, "not as expected")]
+    left = [(count, f"{'is' if count == 1 else 'are'} {end}") for count, end in ends_of if count]
+    if len(left) > 1:
+        words.append(f"of the other scenes, {listed(f'{count} {end}' for count, end in left)}")
+    elif left:
+        [(count, end)] = left
+        words.append(f"the other {'scene' if count == 1 else f'{count} scenes'} {end}")
+    words.append("compression and disconnects are examples of the difficulties")
     if counts.compared and not silent:
         words.append(
             f"{counts.compared} results are compared with a reference solution, "
-            "and each of these is accurate or has a warning"
+            "and each of these results is accurate or has a warning"
         )
     answer = " ".join(map(sentence, words))
     each = [(ENDS[end], f"{ends.count(end)} {end}") for end in ENDS if end in ends]
@@ -135,14 +136,14 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
     answers = []
     if top:
         added = any(one.added for one in top)
-        one_of, each_of = ("it", "each of them") if added else ("leaving it out", "leaving one of them out")
-        subject = each_of if len(top) > 1 else one_of
+        any_of = " or ".join([*[", ".join(one.name for one in top[:-1])][: len(top) > 1], top[-1].name])
+        subject = any_of if added else f"leaving out {any_of}"
         answers.append(
             f"{subject} changes displacement, moment or tension by more than 1\u00a0% in at least "
             f"{least}\u00a0% of the scenes that include it"
         )
     if none:
-        what = "none of these" if top else "no displacement, moment or tension"
+        what = "none of these three results" if top else "no displacement, moment or tension"
         answers.append(f"{_named(none)} {what} by more than 1\u00a0%")
     rows = [*ranked[: ROWS - len(none)], *none]
     drawn = sorted(((one.name, one.changed / one.scenes) for one in rows), key=lambda row: -row[1])
@@ -151,7 +152,8 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
     return (
         number,
         " ".join(map(sentence, answers)),
-        _bars(drawn) + _under("scenes with the effect in which it changes one of these by more than 1 %"),
+        _bars(drawn)
+        + _under("scenes with the effect in which it changes one of these results by more than 1 %"),
     )
 
 

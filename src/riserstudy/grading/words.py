@@ -97,7 +97,7 @@ def _answers(kind: Kind) -> dict[ReadingAnswer, str]:
 
 def summary_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
     """Sentences with the interpretations for each result, or with their number if they are many."""
-    words = _answers(kind) | {"no difference": "not true (the compared values are nearly equal)"}
+    words = _answers(kind)
     subject = _capital(_JUDGED[kind])
     names: dict[ReadingAnswer, list[str]] = {}
     for reading in readings:
@@ -109,25 +109,36 @@ def summary_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
         only = readings[0].answer
         if only == "depends":
             return f"With {every}, the outcome depends on further inputs."
-        return f"{subject} {words[only]} with {every}."
-    others = len(names.pop("depends", []))
-    order: list[ReadingAnswer] = ["true", "false", "no difference"]
+        return _equal(every) if only == "no difference" else f"{subject} {words[only]} with {every}."
+    others, equal = len(names.pop("depends", [])), names.pop("no difference", [])
+    order: list[ReadingAnswer] = ["true", "false"]
     found = [(words[answer], names[answer]) for answer in order if answer in names]
     if count <= NAMED // 2 and not others:
         values = not any(isinstance(value, str) for reading in readings for value in reading.place.values())
         noun = "value" if values else "interpretation"
-        return " ".join(
-            f"{subject} {word} with the {noun}{'s' if len(those) > 1 else ''} {listed(those)}."
-            for word, those in found
-        )
-    (word, first), *rest = ((word, len(those)) for word, those in found)
-    most = f"{word} with {first} of {count} interpretations of the paper"
-    parts = [most, *(f"{word} with {n}" for word, n in rest)]
-    text = f"{subject} {listed(parts)}."
-    if not others:
-        return text
-    remaining = "interpretation" if others == 1 else f"{others} interpretations"
-    return f"{text} With the other {remaining}, the outcome depends on further inputs."
+
+        def named(those: list[str]) -> str:
+            return f"the {noun}{'s' if len(those) > 1 else ''} {listed(those)}"
+
+        texts = [f"{subject} {word} with {named(those)}." for word, those in found]
+        return " ".join([*texts, *([_equal(named(equal))] if equal else [])])
+    texts = []
+    if found:
+        (word, first), *rest = ((word, len(those)) for word, those in found)
+        most = f"{word} with {first} of {count} interpretations of the paper"
+        texts.append(f"{subject} {listed([most, *(f'{word} with {n}' for word, n in rest)])}.")
+    if equal:
+        one, of = len(equal) == 1, "" if found else f" of {count}"
+        texts.append(_equal(f"{len(equal)}{of} {'other ' if found else ''}interpretation{'s'[one:]}"))
+    if others:
+        remaining = "interpretation" if others == 1 else f"{others} interpretations"
+        texts.append(f"With the other {remaining}, the outcome depends on further inputs.")
+    return " ".join(texts)
+
+
+def _equal(interpretations: str) -> str:
+    """The sentence on interpretations with which the compared values do not differ."""
+    return f"With {interpretations}, the compared values are nearly equal, so the claim is not true."
 
 
 def rows_by_reading(kind: Kind, readings: Sequence[Reading]) -> list[tuple[str, str]]:
@@ -166,7 +177,7 @@ def _by_reading(kind: Kind, readings: Sequence[Reading]) -> list[str]:
             parts.append(f"{word} with {listed(names)}")
     for reading in readings:
         if reading.answer == "depends":
-            by = f", decided by {listed(reading.decided_by)}" if reading.decided_by else ""
+            by = f", depending most on {listed(reading.decided_by)}" if reading.decided_by else ""
             parts.append(f"with {reading_name(reading)}, {_share(reading.share, true)}{by}")
     return parts
 
@@ -174,7 +185,8 @@ def _by_reading(kind: Kind, readings: Sequence[Reading]) -> list[str]:
 def reading_name(reading: Reading) -> str:
     """Name of an interpretation by its place on the axes, in quotation marks."""
     name = " / ".join(
-        option_name(value) if isinstance(value, str) else f"{value:g}" for value in reading.place.values()
+        option_name(value) if isinstance(value, str) else f"{axis.replace('_', ' ')} {value:g}"
+        for axis, value in reading.place.items()
     )
     return f"“{name}”"
 
@@ -262,11 +274,12 @@ def _meanings(words: Iterable[Meaning]) -> Iterator[str]:
     """Meanings of words of size."""
     for word in words:
         bound, band = f"{100 * word.bound:g} %", f"{100 * word.band:g} %"
-        means = f'"{_capital(word.word)}" is interpreted as a difference of at'
+        noun, are = ("words", "are") if " " in word.word else ("word", "is")
+        means = f'The {noun} "{word.word}" {are} interpreted as a difference of at'
         if word.most:
             yield f"{means} most {bound}."
         else:
-            yield f"{means} least {bound}; less than {band} counts as no difference."
+            yield f"{means} least {bound}; values that differ by less than {band} count as equal."
 
 
 def _premise(premise: Premise | None) -> Iterator[str]:
@@ -309,9 +322,9 @@ def _chosen(chosen: Chosen | None) -> Iterator[str]:
     """Inputs of the base case that were chosen to meet it."""
     if chosen is None:
         return
-    then = "The samples also include other values of this input."
+    then = "The samples also include other values of the chosen input."
     if not chosen.varied:
-        then = "No sample varies this assumption, so the agreement is no evidence for the model."
+        then = "No sample varies the chosen assumption, so this agreement is no evidence for the model."
     yield f"An assumption was chosen so that the base case agrees with the paper: {chosen.what}. {then}"
 
 
@@ -350,14 +363,15 @@ def result_of(kind: Kind, unit: str, outcome: Outcome, together: Together | None
         return values, found if found.startswith("with ") else f"{judged} {found}"
     share = outcome.share
     if share is not None and share.samples > 1:
-        by = f", decided by {listed(outcome.decided_by)}" if outcome.decided_by else ""
+        by = f", depending most on {listed(outcome.decided_by)}" if outcome.decided_by else ""
         return values, f"{judged} {_share(share, true)}{by}"
     same, met = (outcome.same, outcome.met) if share is None else (share.same, share.met)
     if same and not met:
-        return values, "this counts as no difference"
+        return values, "the compared values are nearly equal"
     if together is not None:
-        meets = "meets" if met else "does not meet"
-        return values, f"this case {meets} this value together with {listed(together.others)}"
+        others = f"{'value' if len(together.others) == 1 else 'values'} {listed(together.others)}"
+        met_all = "are all met" if met else "are not all met"
+        return values, f"with the same inputs, this published value and the {others} {met_all}"
     return values, f"{judged} {true if met else false}"
 
 
@@ -371,8 +385,8 @@ def _share(share: Share, word: str) -> str:
     percent = f"{100 * share.met / share.samples:.0f} %"
     if share.low is not None and share.high is not None:
         percent += f", 95 % confidence interval {100 * share.low:.0f} to {100 * share.high:.0f} %"
-    same = f" (in {share.same}, the compared values are nearly equal)" if share.same else ""
-    return f"{word} in {share.met} of {_all_of(share)} ({percent}){same}"
+    same = f"; in {share.same}, the compared values are nearly equal" if share.same else ""
+    return f"{word} in {share.met} of {_all_of(share)} ({percent}{same})"
 
 
 def _all_of(share: Share) -> str:

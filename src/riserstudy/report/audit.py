@@ -100,21 +100,21 @@ class Missed(NamedTuple):
             kept = (
                 f"At {counted(known, 'grid point', spaced)}, the estimated errors are within the tolerance."
             )
-            other = f"At the other {spaced(silent)}, the error was not estimated."
+            other = f"At the other {counted(silent, 'grid point', spaced)}, the error was not estimated."
             return f"{kept} {other}" if silent else kept
         requested = self._with_a_tolerance
         points = counted(prescribed, "grid point", spaced)
         sentence = (
             f"Mesh and time step are prescribed, instead of a tolerance, at {points}. "
-            f"The error was estimated at {spaced(self.estimated)} of these"
+            f"The error was estimated at {spaced(self.estimated)} of these points"
         )
         most = share(TOLERANCE)
         if self.tuned:
             most += ", or the tolerance to which mesh and time step were tuned,"
         if not fixed:
-            return f"{requested}. {sentence} and is at most {most}".rstrip(",") + "."
+            return f"{requested}. {sentence}, and is at most {most}".rstrip(",") + "."
         return (
-            f"{requested}. {sentence} and exceeds {most} at {fixed}. "
+            f"{requested}. {sentence}, and exceeds {most} at {fixed} of them. "
             f"The largest estimated error is {share(self.worst)}, in the dataset {self.where}."
         )
 

@@ -135,7 +135,7 @@ class Claim(ItemResult):
     @property
     def agreement(self) -> str:
         """Number of samples that agree with the paper; "" without samples."""
-        chosen = ", with the interpretation of the base case" if self.grounds.readings else ""
+        chosen = ", if the paper is interpreted as in the base case" if self.grounds.readings else ""
         return f"{self.met or 0} of {self.samples}{chosen}" if self.samples else ""
 
 
@@ -189,11 +189,10 @@ def _results(kind: Kind, unit: str, grounds: Grounds) -> list[tuple[str, str]]:
         rows.append(
             ("Inputs that explain the outcome better than chance", "none, with this number of samples")
         )
-    judged = "simulated value" if kind == "number" else "judged quantity"
     for outcome in grounds.outcomes:
         value, found = result_of(kind, unit, outcome, grounds.together)
-        ranges = f"{judged} ranges from" if " to " in value else f"{judged} is"
-        rows.append((outcome.name, f"The {ranges} {value}; {found}."))
+        values = "values are" if " to " in value else "value is"
+        rows.append((outcome.name, f"The simulated {values} {value}; {found}."))
     return rows
 
 

@@ -98,20 +98,21 @@ def curve(cases: Cases) -> Curve:
 
 def _caption(cases: Cases, step: int) -> str:
     count, left = len(cases.margin), cases.hidden
-    every = {1: "", 2: " The figure shows every second case."}.get(
-        step, f" The figure shows one case in {step}."
+    every = {1: "", 2: " Only every second case is drawn."}.get(
+        step, f" Only one of every {step} cases is drawn."
     )
     more = f" Another {counted(left, 'input')} {VARY[left > 1]}." if left > 1 else ""
     if left == 1:
         more = f" Another input {VARY[0]}."
     return (
         "A case is one combination of all inputs. The margin of a case is the distance of its result from "
-        f"the value at which the outcome changes. The top panel plots the margins of {count} cases, in "
-        f"ascending order.{every} "
+        f"the value at which agreement with the paper begins. The top panel plots the margins of {count} "
+        f"cases, in ascending order.{every} "
         "Cases with a positive margin agree with the paper; the triangle marks the base case. Each row below "
         "the top panel stands for one option of an input; its marks show the cases with this option. The "
-        "number at the right is the percentage of these cases that agree with the paper. If the percentages "
-        f"of all options of an input are 0 % or 100 %, this input alone decides the outcome.{more}"
+        "number at the right of a row is the percentage of the cases with this option that agree with the "
+        "paper. If the percentages of all options of an input are 0 % or 100 %, this input alone decides "
+        f"whether a case agrees with the paper.{more}"
     )
 
 

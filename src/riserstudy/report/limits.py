@@ -41,11 +41,11 @@ class LimitTable(NamedTuple):
     def sentences(self) -> str:
         """Number of limits that are exceeded, or not evaluated, at some point, in words."""
         exceeded, unknown = (sum(word in row.verdict for row in self.rows) for word in (EXCEEDED, UNKNOWN))
-        many = counted(len(self.rows), "limit")
-        left = f"; {unknown} {'is' if unknown == 1 else 'are'} {UNKNOWN} at some point" if unknown else ""
+        many, somewhere = counted(len(self.rows), "limit"), "at one or more points of the study"
+        left = f"; {unknown} {'is' if unknown == 1 else 'are'} {UNKNOWN} {somewhere}" if unknown else ""
         if not exceeded:
             return f"None of {many} is exceeded{left}"
-        return f"{exceeded} of {many} {'is' if exceeded == 1 else 'are'} exceeded at some point{left}"
+        return f"{exceeded} of {many} {'is' if exceeded == 1 else 'are'} exceeded {somewhere}{left}"
 
 
 def limit_tables(datasets: Mapping[str, xr.Dataset]) -> list[LimitTable]:

@@ -160,12 +160,14 @@ def _varied(dataset: xr.Dataset) -> list[str]:
             of = str(dataset[axis].attrs.get("units", ""))
             ends = " to ".join(dict.fromkeys((f"{values.min():g}", f"{values.max():g}")))
             has = "the value" if len(values) == 1 else f"{len(values)} values, from"
+            if len(values) == 2:
+                has, ends = "the values", ends.replace(" to ", " and ")
             words.append(f"“{name}” has {has} {ends}{unit(of)}.")
         elif values.dtype.kind in "iu":
             are = "is" if len(values) == 1 else "are"
             words.append(f"{counted(len(values), 'sample')} of the unspecified inputs {are} simulated.")
         else:
-            options = "; ".join(map(str, values))
+            options = "; ".join(f"“{value}”" for value in values)
             has = "is" if len(values) == 1 else f"has {len(values)} options:"
             words.append(f"“{name}” {has} {options}.")
     return words

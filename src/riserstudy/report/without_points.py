@@ -28,9 +28,11 @@ class WithoutPoints(NamedTuple):
         count = len(self.turned) + len(self.stand) + len(self.bound)
         used = "1 verdict uses" if count == 1 else f"{count} verdicts use"
         changed, ends = len(self.turned) or "none", "s" if len(self.turned) < 2 else ""
+        graded = f"{len(self.turned) + len(self.stand)} " if self.bound else ""
+        which = f"the {graded}verdicts{' that can be graded without them' if self.bound else ''}"
         return (
             f"{used} datasets with points whose error is above the tolerance, or above 1 % without a "
-            f"tolerance. If these points are left out, {changed} of the verdicts change{ends}"
+            f"tolerance. If these points are left out, {changed} of {which} change{ends}"
         )
 
     @property
@@ -39,10 +41,10 @@ class WithoutPoints(NamedTuple):
         if not self.bound:
             return ""
         many, their = len(self.bound), "its" if len(self.bound) == 1 else "their"
-        verdicts = "verdict" if many == 1 else f"{many} verdicts"
+        rest = "The other verdict" if many == 1 else f"The other {many} verdicts"
         return (
-            f"Another {verdicts} cannot be graded without these points, because {their} base case or all "
-            f"{their} cases use them"
+            f"{rest} cannot be graded without these points, because {their} base case or all {their} cases "
+            "use them"
         )
 
 
