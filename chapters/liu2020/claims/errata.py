@@ -160,9 +160,9 @@ def _true_with(claim: str, shares: dict[str, float]) -> str:
     if not true:
         return f"Claim {claim} is true in no sample."
     only = "" if len(true) == len(shares) else "only "
-    noun, there = ("definition", "then") if len(true) == 1 else ("definitions", "with these")
+    noun, these = ("definition", "this") if len(true) == 1 else ("definitions", "these")
     named = f"Claim {claim} is true {only}with the {noun} {listed(true)}"
-    return f"{named}, {there} in {listed(found)} of the samples."
+    return f"{named}, in {listed(found)} of the samples with {these} {noun}."
 
 
 def waves_on_the_riser(waves: xr.Dataset) -> dict[str, Any]:

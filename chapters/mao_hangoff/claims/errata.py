@@ -61,7 +61,7 @@ def _near(miss: xr.DataArray, within: float) -> str:
     """Subject and verb on the number of combinations with an error of at most ``within``."""
     near = int((miss <= within).sum())
     count = f"{near} of {miss.size}" if near else f"None of {miss.size}"
-    return f"{count} combinations {'is' if near < 2 else 'are'}"
+    return f"{count} combinations of interpretations {'is' if near < 2 else 'are'}"
 
 
 def parts_of_samples(

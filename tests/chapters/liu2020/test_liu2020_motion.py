@@ -209,14 +209,14 @@ def readings(**true):
 def test_which_claim_is_true_under_which_baseline_is_computed():
     told = baselines(*readings(Q2=(10, 4, 0, 10), Q8=(3, 10, 10, 10), Q9=(0, 10, 1, 5)), *BY)
     ring, joint = "“vertical force at the ring”", "“232 t carried to the upper flex joint”"
-    top, some = "“riser's top on the platform”", "of the samples."
+    top, some = "“riser's top on the platform”", "of the samples with these definitions."
     assert told["shares"] == (
         f"Claim Q2 is true only with the definitions “constant”, {ring} and {top}, "
-        f"with these in 100 %, 40 % and 100 % {some} "
+        f"in 100 %, 40 % and 100 % {some} "
         f"Claim Q8 is true with the definitions “constant”, {ring}, {joint} and {top}, "
-        f"with these in 30 %, 100 %, 100 % and 100 % {some} "
+        f"in 30 %, 100 %, 100 % and 100 % {some} "
         f"Claim Q9 is true only with the definitions {ring}, {joint} and {top}, "
-        f"with these in 100 %, 10 % and 50 % {some}"
+        f"in 100 %, 10 % and 50 % {some}"
     )
     assert told["both"] == f"With {top}, both Q2 and Q8 are true in at least 95 % of the samples."
 

@@ -133,13 +133,13 @@ def test_readings_that_come_near_print_are_counted_and_the_nearest_is_named():
     runs = of_two_readings(heavy=(58.0, 40.0), light=(62.5, 43.1), moment=(70.0, 52.5))
     told = readings_near(runs, **print_of)
     assert told["count"] == 2
-    assert told["x_heavy"] == told["x_light"] == told["moment"] == "1 of 2 combinations is"
-    assert told["ratio"] == "2 of 2 combinations are"
-    assert told["all"] == "None of 2 combinations is"
+    assert told["x_heavy"] == told["x_light"] == told["moment"] == "1 of 2 combinations of interpretations is"
+    assert told["ratio"] == "2 of 2 combinations of interpretations are"
+    assert told["all"] == "None of 2 combinations of interpretations is"
     assert told["best"] == "thick"
     assert told["worst"] == pytest.approx(1.0 - 40.0 / 58.2)
     met = readings_near(of_two_readings((58, 58), (62.5, 10), (52, 52)), **print_of)
-    assert met["all"] == "1 of 2 combinations is"
+    assert met["all"] == "1 of 2 combinations of interpretations is"
     assert met["best"] == "thin"
 
 
