@@ -58,8 +58,8 @@ def liu2020():
         return 6.0 * (high * annulus - low * piston) / G / 1e3 - 6.05
 
     yield "E14", f"pull {pull(0.0):.1f} t at mid-stroke"
-    yield "E14", f"pull is zero at a stroke of {brentq(pull, 0.0, 7.5):.2f} m in compression"
-    yield "E14", f"At 7.5 m they push with {-pull(7.5):.1f} t"
+    yield "E14", f"is zero at a stroke of {brentq(pull, 0.0, 7.5):.2f} m in compression"
+    yield "E14", f"At 7.5 m the cylinders push with {-pull(7.5):.1f} t"
     yield "E14", f"compressed to {100 * (1.0 - piston * 7.5 / 2.25):.0f} % of its volume"
 
 
@@ -76,7 +76,7 @@ def mao_hangoff():
     """439 kg over a joint of 23.7 m, beside a flooded pipe of 21 in and 1 in."""
     light = 439.0 / 23.7
     pipe = (STEEL - SEA) * (circle(21 * INCH) - circle(19 * INCH))
-    yield "E16", f"is {light:.1f} kg/m. This is a {({15: 'fifteenth'})[round(pipe / light)]} of"
+    yield "E16", f"is {light:.1f} kg/m. This weight is a {({15: 'fifteenth'})[round(pipe / light)]} of"
 
 
 @pytest.mark.parametrize("paper", [chang2020, liu2020, liu2017, mao_hangoff], ids=lambda p: p.__name__)
