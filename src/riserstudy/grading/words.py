@@ -109,7 +109,12 @@ def summary_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
         only = readings[0].answer
         if only == "depends":
             return f"With {every}, the outcome depends on further inputs."
-        return _equal(every) if only == "no difference" else f"{subject} {words[only]} with {every}."
+        if only == "no difference":
+            return _equal(every)
+        if kind == "number" and only == "false" and count > 1:
+            none = "neither interpretation" if count == 2 else f"none of the {count} interpretations"
+            return f"{subject} met with {none} of the paper."
+        return f"{subject} {words[only]} with {every}."
     others, equal = len(names.pop("depends", [])), names.pop("no difference", [])
     order: list[ReadingAnswer] = ["true", "false"]
     found = [(words[answer], names[answer]) for answer in order if answer in names]
@@ -166,7 +171,10 @@ def _by_reading(kind: Kind, readings: Sequence[Reading]) -> list[str]:
     parts, many = [], len(readings) > MANY
     for answer, word in _answers(kind).items():
         names = [reading_name(r) for r in readings if r.answer == answer]
-        if many and len(names) == len(readings):
+        if kind == "number" and answer == "false" and len(names) == len(readings) > 1:
+            each = f"none of {len(names)} interpretations" if many else f"no interpretation ({'; '.join(names)})"
+            parts.append(f"{true} with {each}")
+        elif many and len(names) == len(readings):
             parts.append(f"{word} with all {len(names)} interpretations")
         elif names and many and len(names) > NAMED:
             parts.append(f"{word} with {len(names)} of {len(readings)} interpretations")
