@@ -15,14 +15,22 @@ from riserstudy.scene.tensioners import Tensioners
 
 
 class Areas(Strict):
-    """Drag areas C_D A of a body. Without an area, the body has no drag in this direction."""
+    """Drag areas C_D A of a body.
+
+    A body without the key ``horizontal`` has no horizontal drag, and a body without the key ``vertical`` has
+    no vertical drag.
+    """
 
     horizontal: Annotated[u.Area, NOT_NEGATIVE] | None = None
     vertical: Annotated[u.Area, NOT_NEGATIVE] | None = None
 
 
 class BodyAddedMass(Strict):
-    """Added mass of a body. Without a value, the body has no added mass in this direction."""
+    """Added mass of a body.
+
+    A body without the key ``horizontal`` has no horizontal added mass, and a body without the key
+    ``vertical`` has no vertical added mass.
+    """
 
     horizontal: Annotated[u.Mass, NOT_NEGATIVE] | None = None
     vertical: Annotated[u.Mass, NOT_NEGATIVE] | None = None
@@ -33,15 +41,16 @@ class Body(Strict):
 
     Give the submerged weight of the body, or give its displaced volume or the density of its material. From
     volume or density, the engine computes the submerged weight with the mass and gravity. A body at or above
-    the water surface then has its weight in air. For this comparison, the body has the elevation of the
-    riser's end in the unstretched riser. Weight, drag and added mass are zero if they are not given. In
-    waves, the acceleration of the water causes a force on the displaced volume and on the added mass. If the
-    displaced volume is not given, the engine computes this volume from mass and ``submerged_weight``. Without
-    ``centre_below`` the body is a point at the riser's end. ``centre_below`` is the distance from the riser's
-    lower end down to the centre of the body. The body then turns rigidly with this end. ``rotary_inertia``,
-    by default zero, refers to axes across the riser through the centre. With ``centre_below``, the arclengths
-    in results start below the riser, at the body's centre of percussion. The arclengths of ``stations`` in
-    ``analysis.output`` still start at the riser's lower end.
+    the water surface then has its weight in air. To compare the body with the water surface, the engine uses
+    the elevation of the end of the unstretched riser. Weight, drag and added mass are zero if they are not
+    given. In waves, the acceleration of the water causes a force on the displaced volume and on the added
+    mass. If the displaced volume is not given, the engine computes this volume from mass and
+    ``submerged_weight``. Without ``centre_below`` the body is a point at the riser's end. ``centre_below`` is
+    the distance from the riser's lower end down to the centre of the body. With ``centre_below``, the body
+    turns rigidly with the riser's lower end. ``rotary_inertia``, by default zero, refers to axes across the
+    riser through the centre. With ``centre_below``, the arclengths in results start below the riser, at the
+    body's centre of percussion. The arclengths of ``stations`` in ``analysis.output`` still start at the
+    riser's lower end.
     """
 
     name: str
@@ -146,8 +155,8 @@ class JointStop(Strict):
     """Stops of a telescopic joint: its largest extension and compression, and the stiffness of the stops.
 
     Extension and compression are measured like the stroke of the joint. ``stroke`` is the largest extension.
-    ``collapse`` is the largest compression, at which the barrels meet and push. A stop that is not given does
-    not exist. Both stops are elastic, without energy loss.
+    ``collapse`` is the largest compression, at which the barrels meet and push. Without the key ``stroke`` or
+    ``collapse``, the joint has no stop in this direction. Both stops are elastic, without energy loss.
     """
 
     stroke: Annotated[u.Length, POSITIVE] | None = None
@@ -170,16 +179,16 @@ class TelescopicJoint(Strict):
 
     Water exerts no forces on the telescopic joint. A warning appears if more than half of the joint is below
     the water surface. ``length`` is the distance from the tension ring to the upper end of the joint with the
-    platform at rest. The outer and the inner barrel bend as one. ``tension`` is an additional constant pull
-    of tensioners along the joint. Without the key ``stop``, the joint has no end stops. A run then prints a
-    warning if the joint becomes shorter than half of ``length`` or longer than twice ``length``, because a
-    real joint cannot do so. Include the mass of the outer barrel in ``top.body`` at the ring; the inner
-    barrel moves with the platform. The stops of the joint (``stop``) and the stops of the tensioners
-    (``tensioners.stroke``) are separate: a rig can have both.
+    platform at rest. The outer and the inner barrel bend together, as one beam. ``tension`` is an additional
+    constant pull of tensioners along the joint. Without the key ``stop``, the joint has no end stops. A run
+    then prints a warning if the joint becomes shorter than half of ``length`` or longer than twice
+    ``length``, because a real joint cannot become so short or so long. Include the mass of the outer barrel
+    in ``top.body`` at the ring; the inner barrel moves with the platform. The stops of the joint (``stop``)
+    and the stops of the tensioners (``tensioners.stroke``) are separate: a rig can have both.
 
-    The stroke and the positions of the stops are measured from ``length``. With ``mid_stroke: riser in
-    equilibrium``, the reference is another length: the joint has this length when the tensioners carry the
-    riser, vertical and in still water.
+    By default, the stroke and the positions of the stops are measured from the length ``length`` of the
+    joint. With ``mid_stroke: riser in equilibrium``, they are measured from the length that the joint has
+    when the tensioners carry the riser, vertical and in still water.
     """
 
     length: Annotated[u.Length, POSITIVE]
@@ -207,7 +216,7 @@ class TelescopicJoint(Strict):
 
 
 class TensionLoss(Strict):
-    """Loss of a share of ``top.tension`` from the time ``at``, smoothly within ``over``, or suddenly.
+    """Loss of a share of ``top.tension`` from the time ``at``, smoothly over the time ``over``, or suddenly.
 
     The forces of ``tensioners`` and of a telescopic joint are not lost.
     """
@@ -223,18 +232,20 @@ class Top(Strict):
     ``x`` (for x and y) and ``z`` state whether the riser's top follows the platform, is held, or is free.
 
     With ``x: vessel`` the top moves with a vessel whose motion is computed, in the directions in which the
-    vessel is free. If the scene also has a ``platform``, the horizontal first-order (wave-frequency) motions
-    of this platform are added. With ``z: platform``, its vertical first-order motions are added, too. The
-    deck of the tensioners is always vertically above the top, so an ``offset`` moves the top and the deck.
+    vessel is free. If the scene also has a ``platform``, the engine adds the horizontal first-order
+    (wave-frequency) motions of this platform to the motion of the vessel. With ``z: platform``, the riser's
+    top also follows the vertical first-order motions. The deck of the tensioners is always vertically above
+    the riser's top, so an ``offset`` moves the top and the deck.
 
-    By default the top is vertically above the bottom (no ``offset``), at the height of the static equilibrium
-    (no ``elevation``). Tension, tension loss, force, tensioners and body are absent if they are not given.
-    With ``held_at_tension``, the engine computes the height at which the top is held. At this height, the
-    vertical component of the pull on the static riser equals the given force. If there is a body at the top,
-    the pull below this body counts. In this computation, the platform is in its position in calm water, and
-    the current has its full speed. If ``x`` follows the platform, a flex joint or clamp at the top rotates
-    with the platform. With a telescopic joint, the top is the upper end of the joint. ``tension``,
-    ``tensioners``, ``lateral_force`` and ``body`` are then at the tension ring, below the joint.
+    Without ``offset``, the riser's top is vertically above the bottom. Without ``elevation``, the top has the
+    height of the static equilibrium. Tension, tension loss, force, tensioners and body are absent if they are
+    not given. With ``held_at_tension``, the engine computes the height at which the top is held. At this
+    height, the vertical component of the pull on the static riser equals the given force. If there is a body
+    at the top, the pull just below this body equals the given force. For ``held_at_tension``, the platform is
+    in its position in calm water, and the current has its full speed. If ``x`` follows the platform, a flex
+    joint or clamp at the top rotates with the platform. With a telescopic joint, the top is the upper end of
+    the joint. ``tension``, ``tensioners``, ``lateral_force`` and ``body`` are then at the tension ring, below
+    the joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

@@ -116,11 +116,12 @@ class Detail(Strict):
     ``at`` gives the sections of the riser with this detail, named as in ``limits``. By default all sections
     have the detail. ``face`` selects the inner or outer face of the wall. The stress by wall tension and
     bending is computed at this face. For a detail at one end of a section, give ``stress_per_moment`` instead
-    of ``face``. This key is the stress in the detail divided by the bending moment at this end. For example,
-    ``0.02 MPa/kN/m`` means 0.02 MPa for each kN m. The stress by tension is then neglected. The computed
-    nominal stress is multiplied by ``stress_concentration``. The default thickness is the wall thickness of
-    the section; with ``stress_per_moment``, you must give the thickness. The factored damage is the damage
-    times ``safety_factor``.
+    of ``face``. The value of ``stress_per_moment`` is the stress in the detail divided by the bending moment
+    at this end. For example, ``0.02 MPa/kN/m`` means 0.02 MPa for each kN m. With ``stress_per_moment``, the
+    stress by tension is neglected. The engine multiplies the computed nominal stress by
+    ``stress_concentration``. The default thickness is the wall thickness of the section; with
+    ``stress_per_moment``, you must give the thickness. The factored damage is the damage times
+    ``safety_factor``.
     """
 
     name: Annotated[str, Field(min_length=1)]
@@ -154,9 +155,9 @@ class Detail(Strict):
 class Fatigue(Strict):
     """Fatigue damage of details, by rainflow counting of stress and S-N curves (Palmgren and Miner).
 
-    ``angles`` is the number of places around the wall at which damage is summed; the first place is on the
-    side of +x. Between two places, the damage can be larger than at both places, by a factor of at most
-    cos(pi / angles)^-m. In this factor, m is the exponent of the S-N curve.
+    ``angles`` is the number of places around the wall for which the engine computes damage. The first place
+    is on the side of +x. Between two places, the damage can be larger than at both places, by a factor of at
+    most cos(pi / angles)^-m, where m is the exponent of the S-N curve.
     """
 
     angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]

@@ -103,8 +103,8 @@ class TimeSeries(Strict, Generic[P]):
     """A motion at points in time, or by a CSV table ``{file: name.csv}``; a cubic spline joins the points.
 
     Before the first point, the motion has the value of the first point. After the last point, the motion has
-    the value of the last point. A sway, roll or yaw whose values are all zero does not require a simulation
-    in three dimensions.
+    the value of the last point. If all values of a sway, roll or yaw are zero, this motion does not require
+    a simulation in three dimensions.
     """
 
     points: Annotated[list[P], Field(min_length=4)]
@@ -132,8 +132,8 @@ class Position(Strict):
 class Centre(Strict):
     """Position of the platform's centre of rotation with the platform at rest.
 
-    Without x and y the centre is vertically above the well, even if the riser's top has an `offset`. With
-    the platform at an offset, x is therefore usually equal to this offset. A `position` of the platform
+    Without x and y the centre is vertically above the well, even if the riser's top has an `offset`. If
+    the platform has an offset, x is therefore usually equal to this offset. A `position` of the platform
     moves the centre, too.
     """
 
@@ -154,12 +154,12 @@ class Platform(Strict):
     Roll is a rotation about x, pitch about y, and yaw about z. With a positive pitch, the platform's vertical
     leans towards +x.
 
-    In a scene with a ``vessel``, these motions are the first-order (wave-frequency) motions of the vessel,
-    and the centre of rotation drifts with the vessel. Phases of response amplitude operators (RAOs) are
-    evaluated at the initial position of the vessel, even if the vessel drifts. A run prints a warning if the
-    vessel drifts by more than a tenth of the wavelength in the direction of the waves of the scene. With a
-    ``vessel``, the engine refuses the key ``cruise``, and surge or sway in ``position``; give the initial
-    position of the vessel by ``top.offset`` instead.
+    In a scene with a ``vessel``, the motions of the ``platform`` are the first-order (wave-frequency) motions
+    of the vessel, and the centre of rotation drifts with the vessel. Phases of response amplitude operators
+    (RAOs) are evaluated at the initial position of the vessel, even if the vessel drifts. A run prints a
+    warning if the vessel drifts by more than a tenth of the wavelength in the direction of the waves of the
+    scene. With a ``vessel``, the engine refuses the key ``cruise``, and surge or sway in ``position``; give
+    the initial position of the vessel by ``top.offset`` instead.
 
     RAOs refer to a hull along x. With RAOs, the engine therefore refuses yaw in ``position``, and a
     ``vessel`` whose heading is not along x.
@@ -222,9 +222,9 @@ class Point(Strict):
     """One point of a current profile, at an elevation, or at a depth below the mean water level.
 
     Two points at the same elevation or depth define a jump of the speed. Points given by elevation are listed
-    upwards: the first of the two is the speed just below the jump. Points given by depth are listed
-    downwards: the first of the two is the speed just above the jump. The default direction is the heading of
-    the current.
+    upwards: the first of the two points gives the speed just below the jump. Points given by depth are listed
+    downwards: the first of the two points gives the speed just above the jump. A point without ``direction``
+    has the heading of the current.
     """
 
     elevation: u.Length | None = None
@@ -249,10 +249,10 @@ def _within_a_turn(name: str, angle: float | None) -> None:
 
 
 class Shape(Strict):
-    """A named profile of the speed from the seabed to the surface, relative to ``surface_speed``.
+    """A current profile by a formula, from the seabed to the surface, relative to ``surface_speed``.
 
-    With ``shape: power``, this relative speed is (height above the seabed / water depth)^power. With ``shape:
-    exponential``, this relative speed is exp(-depth below the surface / scale). With ``shape: layer``, the
+    With ``shape: power``, the relative speed is (height above the seabed / water depth)^power. With ``shape:
+    exponential``, the relative speed is exp(-depth below the surface / scale). With ``shape: layer``, the
     speed is uniform down to the depth ``layer`` below the surface, then decreases linearly to zero at the
     depth ``vanishes``. By default, seabed and surface have the elevations that ``water`` gives.
     """
@@ -298,11 +298,11 @@ class Current(Strict):
     By default the current flows along x, and acts from the start of the run without a ramp.
 
     ``headings`` states whether headings are directions that the current flows to (``towards``, the default)
-    or comes from (``from``). This key also applies to the ``direction`` of points of the profile. Give a
-    ``direction`` at all points or at none. If the direction varies, the x and y components of the velocity
-    are interpolated linearly between points. ``beyond`` is required if the profile does not cover the whole
-    riser. Outside the elevations of the profile, its end values apply (``hold``), or the water is still
-    (``zero``).
+    or comes from (``from``). The key ``headings`` also applies to the ``direction`` of points of the profile.
+    Give a ``direction`` at all points of the profile, or at no point. If the direction varies, the engine
+    interpolates the x and y components of the velocity linearly between points. ``beyond`` is required if the
+    profile does not cover the whole riser. Outside the elevations of the profile, its end values apply
+    (``hold``), or the water is still (``zero``).
     """
 
     profile: Annotated[list[Point], Field(min_length=2)] | Shape | WindDrift | Combined

@@ -36,17 +36,17 @@ class Limit(Strict):
     ``lfj_angle``, ``stroke``, ``joint_stroke``, ``tensioner_stroke``, ``tensioner_force`` or
     ``largest_stress``. In a scene with a disconnect, ``output`` can also be ``overpull`` or
     ``lmrp_clearance``. ``largest_stress`` neglects the pressures of contents and sea; ``von_mises_stress``
-    includes them. A stress range cannot have a limit; use ``fatigue`` instead. The clearance of the riser in
-    a moonpool cannot have a limit either.
+    includes these pressures. A stress range cannot have a limit; use ``fatigue`` instead. The clearance of
+    the riser in a moonpool cannot have a limit either.
 
     For moments, shear forces, angles, x and y, the sign is a convention, so the limit applies to the
-    magnitude. For these outputs, the engine therefore refuses the key ``smallest``, and negative allowed
-    values. ``at`` states where the limit applies. The value is the name of a section, or an end of a section
-    (``lower end of`` or ``upper end of``). A group of consecutive sections is given by its lowest and highest
-    section (``[lowest, highest]``). By default the limit applies to the whole riser. For tension and stress,
-    the default excludes the stack and the conductor below the flex joint. A disconnect opens the lower flex
-    joint, so the limit applies to the angle of this joint only until the disconnect. An allowable value can
-    have an origin, like any other value of a scene.
+    magnitude. For moments, shear forces, angles, x and y, the engine therefore refuses the key ``smallest``,
+    and negative allowed values. ``at`` states where the limit applies: at a section (the name of this
+    section), or at one end of a section (``lower end of`` or ``upper end of`` and the name). For a group of
+    consecutive sections, give the lowest and the highest section (``[lowest, highest]``). By default the
+    limit applies to the whole riser. For tension and stress, the default excludes the stack and the conductor
+    below the flex joint. A disconnect opens the lower flex joint, so the limit applies to the angle of this
+    joint only until the disconnect. An allowable value can have an origin, like any other value of a scene.
     """
 
     output: str

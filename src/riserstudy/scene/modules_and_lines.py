@@ -39,8 +39,9 @@ class Line(Strict):
     Give the mass, or ``wall_density``, from which the engine computes the mass. ``contents`` gives the
     density of the fluid inside, which moves with the line; without ``contents`` the line is empty. Lines with
     a modulus bend together with the pipe, each about its own axis. With ``tension: shared``, pipe and lines
-    share the tension by their stiffnesses. With ``tension: sliding``, the ends of the lines slide and the
-    lines carry no tension. The engine neglects that the pressure in a line changes the tension of the pipe.
+    share the tension by their stiffnesses. With ``tension: sliding``, the ends of the lines slide along the
+    pipe, and the lines carry no tension. In reality, the pressure in a line changes the tension of the pipe;
+    the engine neglects this change.
     """
 
     name: str

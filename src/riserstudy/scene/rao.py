@@ -104,17 +104,19 @@ class Response(Strict):
     A table is given as ``{file: name.csv}``. ``phases`` states whether the phases of the RAOs are leads or
     lags, relative to a wave crest at the platform. The surface elevation at the platform is a cos(w t - p),
     with the amplitude a, the angular frequency w and the phase p. If the key ``wave`` of the response gives
-    the wave, p is the phase of this wave. If the scene gives the wave, p is the phase of the wave plus k x,
-    with the wave number k. Here x is the position of the platform in the direction of the wave, including its
-    offset at rest and the distance covered by a cruise. ``headings`` states whether the headings of RAOs are
-    directions that waves travel to (``towards``) or come from (``from``). Between headings, RAOs are
-    interpolated linearly. The rows of the table can be in any order. With ``symmetry``, the response to a
-    missing heading is the mirrored response to a given heading. The mirror is the x-z plane (``sides``), or
-    also the y-z plane (``sides and ends``). ``beyond`` defines the response to waves with periods outside the
-    range of the RAOs. With ``hold`` the end values of the RAOs apply, and with ``zero`` there is no motion.
-    By default (``refuse``) the engine refuses such waves. A warning states the share of the wave energy at
-    periods outside the range. By default the platform responds to the wave of the scene, in all motions of
-    the table and without a ramp. A wave that is given in the response travels along x by default.
+    the wave, p is the phase of this wave. If the key ``wave`` of the scene gives the wave, p is the phase of
+    the wave plus k x, with the wave number k. Here x is the position of the platform in the direction of the
+    wave, including the platform's offset at rest and the distance covered by a cruise. ``headings`` states
+    whether the headings of RAOs are directions that waves travel to (``towards``) or come from (``from``).
+    Between headings, RAOs are interpolated linearly. The rows of the table can be in any order. With
+    ``symmetry``, the engine mirrors the response at a given heading to obtain the response at a missing
+    heading. The mirror is the x-z plane (``sides``), or also the y-z plane (``sides and ends``). ``beyond``
+    defines the response to waves with periods outside the range of the RAOs. With ``hold`` the end values of
+    the RAOs apply, and with ``zero`` the platform does not respond to waves outside the range. By default
+    (``refuse``) the engine refuses waves with periods outside the range. A warning states the share of the
+    wave energy at periods outside the range. By default the platform responds to the wave of the scene, in
+    all motions of the table and without a ramp. A wave that is given in the response travels along x by
+    default.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]

@@ -29,9 +29,9 @@ class Drag(Strict):
     """Morison drag, across the pipe by default.
 
     With ``direction: horizontal``, only horizontal velocities cause drag, and the drag acts in x and y only.
-    The coefficient is one number, or a table over elevation with linear interpolation. A table is evaluated
-    at the present elevation of the moving, stretched pipe. Above and below the elevations of the table, its
-    first and last values apply.
+    The drag coefficient is one number, or a table over elevation with linear interpolation. The engine
+    evaluates the table at the present elevation of the moving, stretched pipe. Above and below the elevations
+    of the table, the coefficient has the value at the nearest end of the table.
     """
 
     coefficient: Coefficient | Annotated[list[CoefficientAt], Field(min_length=2)]
@@ -93,13 +93,14 @@ def _must_rise(frequencies: list[float]) -> None:
 
 
 class InLineExcitation(Strict):
-    """Varying drag due to vortices; its phase synchronises with the riser's velocity along the flow.
+    """Varying drag due to vortices, which synchronises with the velocity of the riser along the flow.
 
-    The varying drag per length has the amplitude C_x rho D / 2 times the squared flow speed, and
+    The amplitude of the varying drag per length is C_x rho D / 2 times the squared flow speed.
     ``coefficient`` is C_x. The value of C_x is not known; values of 0.1 to 1 are plausible assumptions.
-    ``frequencies`` lists three frequencies as multiples of flow speed divided by diameter, as for vibration
-    across the flow. These frequencies are about twice the frequencies across the flow. The values 0.22, 0.36
-    and 0.52 are assumptions, each with a range of ±25 %.
+    ``frequencies`` lists three frequencies of the varying drag, as multiples of flow speed divided by
+    diameter, in the same order as for vibration across the flow. The frequencies along the flow are about
+    twice the frequencies across the flow. The values 0.22, 0.36 and 0.52 are assumptions, each with a range
+    of ±25 %.
     """
 
     coefficient: Annotated[float, POSITIVE]
@@ -116,17 +117,17 @@ class VortexInducedVibration(Strict):
 
     A lift force acts across the flow relative to the pipe. The amplitude of this force per length is C_v rho
     D / 2 times the squared flow speed. The phase of the lift force synchronises with the velocity of the
-    riser. The section must also have drag across the pipe, because drag limits the amplitude. A scene with
-    this model is solved in three dimensions.
+    riser. The section must also have drag across the pipe, because drag limits the amplitude. The engine
+    simulates a scene with this model in three dimensions.
 
     ``coefficient`` is C_v, with a published value of 1.2. ``frequencies`` lists three frequencies of the lift
-    force, as multiples of flow speed divided by diameter. In this order, they are the lowest frequency, the
-    frequency at which force and velocity are in phase, and the highest frequency. The published values are
-    0.11, 0.18 and 0.26. The model averages the mean square of the motion over the time in which the water
-    flows ``memory`` diameters, for example 20. ``seed`` determines the initial phases of the lift force,
-    which vary smoothly along the riser. ``ramp`` is the time over which the lift increases, by default ten
-    shedding periods in the fastest current. ``in_line`` adds an excitation along the flow; by default there
-    is none.
+    force, as multiples of flow speed divided by diameter. The first value is the lowest frequency of the lift
+    force. The second value is the frequency at which force and velocity are in phase. The third value is the
+    highest frequency. The published values are 0.11, 0.18 and 0.26. The model averages the mean square of the
+    motion over the time in which the water flows ``memory`` diameters, for example 20. ``seed`` determines
+    the initial phases of the lift force, which vary smoothly along the riser. ``ramp`` is the time over which
+    the lift increases, by default ten shedding periods in the fastest current. ``in_line`` adds an excitation
+    along the flow. Without ``in_line``, there is no excitation along the flow.
     """
 
     model: Literal["synchronisation"]
@@ -150,15 +151,15 @@ class VortexInducedVibration(Strict):
 
 
 class Contents(Strict):
-    """Fluid inside the riser. The weight of this fluid is added to ``submerged_weight``.
+    """Fluid inside the riser. The engine adds the weight of the contents to ``submerged_weight``.
 
-    The fluid moves with the pipe across the pipe axis, but not along it.
+    The contents move with the pipe across the pipe axis, but not along the pipe axis.
 
     If the bore is open to the sea, give sea water as contents, or include the weight of the sea water in
     ``submerged_weight``. The contents reach up to ``level``, by default to the upper end of the highest
     section with contents. The gauge pressure of the contents on the wall is the static pressure of the column
-    up to this level. If a section between others has no contents, the pressure below this section is unknown.
-    The von Mises stress below this section is then not computed.
+    of contents up to ``level``. If a section between others has no contents, the pressure below this section
+    is unknown. The engine then does not compute the von Mises stress below this section.
     """
 
     density: Annotated[u.Density, POSITIVE]
@@ -210,24 +211,25 @@ class Section(Strict):
     steel pipe with an outer diameter of 21 in, an inner diameter of 19 in and a mass of 318.2 kg/m. In sea
     water of 1025 kg/m^3, with a gravity of 9.81 m/s^2, the submerged weight of this pipe is 874.7 N/m. If the
     pipe is full of mud of 1200 kg/m^3, ``contents`` add 2153.4 N/m to this weight. There are two ways to
-    describe a pipe full of sea water. One is a ``submerged_weight`` of 2714.1 N/m without contents. The other
-    is a ``submerged_weight`` of 874.7 N/m with contents of 1025 kg/m^3. If ``submerged_weight`` is absent,
-    the engine computes this weight from mass, diameters, gravity and water. For this computation, the section
-    must have an inner diameter and ``contents``; otherwise the engine refuses the scene. For a section that
-    is wholly above the water, ``submerged_weight`` is the weight in air. The engine divides a section at the
-    water surface if the section crosses the surface and has no ``submerged_weight``, or has modules or lines.
-    In results, the upper part is named ``<name>, above water``. For this part, the engine adds the weight of
-    the water displaced by the outer diameter to a given ``submerged_weight``.
+    describe this pipe full of sea water. The first way is a ``submerged_weight`` of 2714.1 N/m without
+    contents. The second way is a ``submerged_weight`` of 874.7 N/m with contents of 1025 kg/m^3. If
+    ``submerged_weight`` is absent, the engine computes the submerged weight from mass, diameters, gravity and
+    water. A section without ``submerged_weight`` must therefore have an inner diameter and ``contents``;
+    otherwise the engine refuses the scene. For a section that is wholly above the water, ``submerged_weight``
+    is the weight in air. The engine divides a section at the water surface if the section crosses the surface
+    and has no ``submerged_weight``, or has modules or lines. In results, the part of the section above the
+    water is named ``<name>, above water``. For the part above the water, the engine adds the weight of the
+    water displaced by the outer diameter to a given ``submerged_weight``.
 
-    ``buoyancy_lift`` is the net lift of buoyancy modules in water. This lift has no effect on the simulation,
-    because ``submerged_weight`` already includes it. Only the formula of the command ``tension`` requires
-    ``buoyancy_lift``, because the formula treats steel and modules separately. Without ``buoyancy_lift``, the
-    formula is not evaluated.
+    ``buoyancy_lift`` is the net lift of buoyancy modules in water. The value of ``buoyancy_lift`` has no
+    effect on the simulation, because ``submerged_weight`` already includes the lift. Only the formula of the
+    command ``tension`` requires ``buoyancy_lift``, because the formula treats steel and modules separately.
+    Without ``buoyancy_lift``, the command does not evaluate the formula.
 
     If a section has ``modules`` or ``lines``, the given mass, weight and stiffness of the section refer to
     the pipe alone. The engine adds the mass, weight and stiffness of modules and lines. The engine sets
-    ``buoyancy_lift`` to the lift of the modules, and to zero in sections without modules. The given diameters
-    for drag and added mass apply to pipe, modules and lines together.
+    ``buoyancy_lift`` to the lift of the modules, and to zero in sections without modules. The diameters in
+    ``drag`` and ``added_mass`` apply to pipe, modules and lines together.
     """
 
     name: str

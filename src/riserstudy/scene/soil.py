@@ -20,8 +20,8 @@ class Matlock(Strict):
 
     The undrained shear strength increases linearly with depth. Matlock's p-y curve (resistance over
     displacement) is infinitely stiff at zero displacement. Up to a small displacement, a straight line
-    therefore replaces the curve. This displacement is ``straight_up_to`` times y50, the displacement at half
-    of the ultimate resistance.
+    therefore replaces the curve. The straight line ends at the displacement ``straight_up_to`` times y50,
+    where y50 is the displacement at half of the ultimate resistance.
     """
 
     strength_at_mudline: Annotated[u.Modulus, NOT_NEGATIVE]
@@ -106,9 +106,9 @@ class SoilDamping(DampingAtPeriod):
 
     ``ratio`` is the damping ratio (damping divided by critical damping) at one period of motion. In a cycle
     with the period ``at_period`` and the amplitude ``at_displacement``, a dashpot dissipates 4 pi ``ratio``
-    times the elastic energy of its spring. This energy is computed with the secant stiffness of the spring.
-    Choose ``at_period`` close to the period of motion: at longer periods, dashpots dissipate less energy per
-    cycle, but real soil does not.
+    times the elastic energy of its soil spring. The elastic energy is computed with the secant stiffness of
+    the soil spring. Choose ``at_period`` close to the period of motion: at longer periods, dashpots dissipate
+    less energy per cycle, but real soil does not.
     """
 
     at_displacement: Annotated[u.Length, POSITIVE] | None = None

@@ -66,7 +66,7 @@ class TwoChamberGas(Strict):
     """Two gas chambers per cylinder.
 
     The gas at high pressure pulls the tension ring up. The gas at low pressure and the weight of the pistons
-    act against this force. The pull of the cylinder is the difference.
+    act against this force. The pull of the cylinder is the difference of the two.
 
     Without ``pistons``, the pistons have neither weight nor mass.
     """
@@ -145,11 +145,12 @@ class Stroke(Strict):
 
 
 class Arrangement(Strict):
-    """Cylinders evenly spaced around the ring, from points on the ring to points on the deck.
+    """Cylinders between evenly spaced points on the tension ring and on the deck.
 
     ``first_bearing`` is the bearing of the first cylinder, from +x towards +y. With ``half a spacing``, the
-    direction +x is midway between two cylinders. ``deck_elevation`` is the elevation of the deck with the
-    platform at rest. The centre of the deck is vertically above the riser's top.
+    direction +x is midway between two cylinders. ``deck_elevation`` is the elevation of the upper ends of the
+    cylinders on the deck, with the platform at rest. The centre of the deck is vertically above the riser's
+    top.
     """
 
     ring_radius: Annotated[u.Length, NOT_NEGATIVE]
@@ -194,15 +195,15 @@ class Failing(Strict):
 class Tensioners(Strict):
     """Equal cylinders between tension ring and deck. By default the cylinders have no damping and no stops.
 
-    ``mid_stroke`` defines the state of the riser in which all cylinders are at mid-stroke. In this state, the
-    riser is unstretched, or in equilibrium with the tension that the cylinders have at mid-stroke. In both
-    states the riser is vertical in still water, at an offset of zero.
+    In one state of the riser, all cylinders are at mid-stroke; ``mid_stroke`` selects this state. The riser
+    is either unstretched, or in equilibrium with the tension that the cylinders have at mid-stroke. In both
+    states, the riser is vertical, in still water, at an offset of zero.
 
     Give exactly one law for the pull of a cylinder: ``gas``, ``two_chamber_gas``, ``linear``, ``carried`` or
     ``table``. ``linearised`` replaces a gas law by a straight line. ``table`` gives any other law, as the
-    pull of one cylinder over its reach (its extension from mid-stroke). The table is interpolated smoothly
-    and monotonically, or linearly with ``interpolation: linear``. Beyond the ends of the table the pull
-    continues linearly, with a warning.
+    pull of one cylinder over its reach (its extension from mid-stroke). Between the rows of the table, the
+    engine interpolates smoothly and monotonically, or linearly with ``interpolation: linear``. Beyond the
+    ends of the table, the pull continues linearly, and the run prints a warning.
 
     Without ``arrangement`` the cylinders are vertical. Cylinders listed in ``failed`` (the first is 0) exert
     no force. Cylinders that fail during the run are listed in ``failing``.

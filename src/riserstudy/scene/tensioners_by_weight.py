@@ -27,10 +27,10 @@ class DampingRatio(Strict):
 class Carried(Strict):
     """Linear force of the cylinders, derived from the suspended weight; it replaces the key ``linear``.
 
-    At mid-stroke the working cylinders together carry the submerged weight of riser, contents and bodies. The
-    pull of inclined cylinders is larger than this weight, because only the vertical part of their pull
-    carries the weight. The stiffness is the pull at mid-stroke divided by ``doubles_over``, the extension
-    from mid-stroke at which the pull would be twice as large.
+    At mid-stroke, the cylinders that have not failed together carry the submerged weight of riser, contents
+    and bodies. The pull of inclined cylinders is larger than this weight, because only the vertical part of
+    the pull carries the weight. The stiffness is the pull at mid-stroke divided by ``doubles_over``, the
+    extension from mid-stroke at which the pull would be twice as large.
     """
 
     doubles_over: Annotated[u.Length, POSITIVE]

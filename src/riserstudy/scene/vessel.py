@@ -55,9 +55,9 @@ class SidewaysThrust(Strict):
 class Turning(Strict):
     """Moment of the thrusters about the vertical axis, G (psi_c - psi) - D d psi/dt.
 
-    psi is the present turn of the vessel, and psi_c is ``command``, the commanded turn. Both angles are
-    measured from the initial heading. G is ``gain``, and D is ``velocity_gain``. Without ``command`` the
-    commanded turn is zero. Without ``velocity_gain`` the thrusters do not damp the yaw. Without
+    psi is the present yaw angle of the vessel, and psi_c is ``command``, the commanded yaw angle. Both angles
+    are measured from the initial heading. G is ``gain``, and D is ``velocity_gain``. Without ``command`` the
+    commanded yaw angle is zero. Without ``velocity_gain`` the thrusters do not damp the yaw. Without
     ``saturation`` the moment is unlimited.
     """
 
@@ -73,10 +73,11 @@ class Thrusters(Strict):
     G is ``gain``, D is ``velocity_gain``, and x and v are the position and the velocity of the vessel. Gains
     refer to the directions of the hull in its initial position. Without ``heading``, the commanded position
     is on the x axis. Without ``velocity_gain`` the thrusters do not damp the motion. Without ``saturation``
-    the thrust is unlimited; with ``saturation``, the magnitude of the thrust is limited in all directions. By
-    default the command acts suddenly; with ``rise``, the command increases as 1 - exp(-t / rise). By default
-    the thrust follows the command immediately; with ``lag``, the thrust follows with this time constant.
-    Without ``sway`` there is no thrust across the hull. Without ``yaw`` the thrusters exert no moment.
+    the thrust is unlimited. With ``saturation``, the magnitude of the thrust is limited to this value in all
+    directions. By default the commanded position applies from the start. With ``rise``, the commanded
+    position increases as 1 - exp(-t / rise). By default the thrust follows the command immediately. With
+    ``lag``, the thrust follows the command with this time constant. Without ``sway`` there is no thrust
+    across the hull. Without ``yaw`` the thrusters exert no moment.
     """
 
     gain: Annotated[u.Stiffness, NOT_NEGATIVE]
@@ -113,10 +114,10 @@ class Coupling(Strict):
     """Platform and riser solved alternately, over intervals.
 
     With ``staggered``, the platform first moves over each interval under the riser's force at the start of
-    the interval. Then the riser is simulated with this motion of the platform. With ``iterated``, the
-    interval is repeated with the new force of the riser, until the motion of the platform changes by less
-    than ``tolerance``. The default of ``tolerance`` is the limit for corrections of positions in Newton's
-    iteration.
+    the interval. The engine then simulates the riser with this motion of the platform. With ``iterated``, the
+    engine repeats the interval with the new force of the riser, until the motion of the platform changes by
+    less than ``tolerance``. The default of ``tolerance`` is the limit for corrections of positions in
+    Newton's iteration.
     """
 
     scheme: Literal["staggered", "iterated"]
@@ -169,14 +170,14 @@ class Vessel(Strict):
     Added mass, hull drag, wind, wave drift and thrusters are zero if not given. The hull drag depends on the
     velocity of the vessel relative to the surface current. Without ``sway`` the vessel moves only along x,
     and without ``yaw`` the vessel keeps its heading. Without ``heading`` the hull is along x. If all loads
-    act along x, the vessel does not sway or turn, and these degrees of freedom are removed. Platform and
-    riser are solved as one system, or alternately if ``coupling`` is given.
+    act along x, the vessel does not sway or turn, and the engine omits sway and yaw. The engine solves
+    platform and riser as one system, or alternately if ``coupling`` is given.
 
-    A ``platform`` in the same scene gives first-order motions in waves, which are superposed on the slow
-    motion of the vessel. The riser's top and the deck move with the sum of both motions. Hull drag, inertia
-    and thrusters respond only to the slow motion. The mean wave drift of the vessel is a constant force. The
-    outputs ``low_frequency_surge`` and ``low_frequency_sway`` give the slow motion. The outputs
-    ``platform_surge`` and ``platform_sway`` give the sum.
+    A ``platform`` in the same scene gives first-order motions in waves. The engine adds the first-order
+    motions to the slow motion of the vessel. The riser's top and the deck move with the sum of both motions.
+    Hull drag, inertia and thrusters respond only to the slow motion. The mean wave drift of the vessel is a
+    constant force. The outputs ``low_frequency_surge`` and ``low_frequency_sway`` give the slow motion. The
+    outputs ``platform_surge`` and ``platform_sway`` give the sum.
     """
 
     mass: Annotated[u.Mass, POSITIVE]

@@ -15,8 +15,8 @@ from riserstudy.scene.base import POSITIVE
 class Water(Strict):
     """The sea. Without ``water`` there is no drag, added mass, current or waves.
 
-    Waves require the elevations ``surface`` and ``seabed``. Current profiles without elevations require
-    ``surface`` and ``seabed``, too.
+    Waves require the elevations ``surface`` and ``seabed``. Current profiles that are not given by elevations
+    require ``surface`` and ``seabed``, too.
     """
 
     density: Annotated[u.Density, POSITIVE]
