@@ -29,8 +29,8 @@ def cost(
     """Estimate the run time of a scene for tolerances of 5, 1, 0.2 and 0.05 %.
 
     The command prints one row per tolerance. The row ``default`` is for the default tolerances of 0.2 % in
-    displacement, and 1 % in moment and tension. For an irregular sea of more than 20 min, the command adds
-    advice on long simulations.
+    displacement, and 1 % in moment and tension. If the scene has an irregular sea of more than 20 min, the
+    command adds advice on long simulations.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, plot=plot)
@@ -108,9 +108,9 @@ def _needs(missing: str) -> str:
 def advise(scene: SceneArgument, settings: SetOption = None) -> None:
     """Recommend effects to remove or add, within the tolerance of a scene.
 
-    For each effect, the command changes the scene by this effect alone, and compares displacement, bending
-    moment and tension with the results of the scene. Tension is compared at the riser's upper end, and at the
-    place where it is smallest. An effect is removable if the results change by at most the tolerance.
+    For each effect, the command adds or removes this effect alone, and compares displacement, bending moment
+    and tension with the results of the unchanged scene. Tension is compared at the riser's upper end, and at
+    the place where it is smallest. An effect is removable if the results change by at most the tolerance.
     """
     from rich.console import Console
     from rich.table import Table
@@ -154,9 +154,9 @@ def modes(
 
     If the scene does not prescribe a mesh, the riser has about 200 segments. The command estimates the errors
     of the frequencies from two finer meshes, with two and four times as many segments. More segments
-    (``analysis.mesh.elements``) give smaller errors. The estimated errors do not include one neglected
-    effect: tensioner cylinders also resist a rotation of the tension ring. In six rigs, this effect changed
-    frequencies by 0.03 to 0.16 %.
+    (``analysis.mesh.elements``) give smaller errors. The modes neglect one effect: tensioner cylinders also
+    resist a rotation of the tension ring. The estimated errors do not include this effect. In six rigs, this
+    effect changed frequencies by 0.03 to 0.16 %.
     """
     from rich.console import Console
     from rich.table import Table

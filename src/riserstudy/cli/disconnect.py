@@ -91,8 +91,8 @@ def watch_circles(
     """Simulate a drift-off or a drive-off: the time at which each limit is reached, and the watch circles.
 
     The scene must have a `vessel` or a platform with `cruise`. If the scene has both a `vessel` and a
-    platform, the motions of the platform in waves are added to the motion of the vessel. The exit status is 4
-    if a limit could not be evaluated.
+    `platform`, the command adds the motions of the `platform` in waves to the drift of the `vessel`. The exit
+    status is 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings, accuracy)
     check_targets(file.files, force, csv, output=output)

@@ -159,13 +159,13 @@ def downtime(
 
     For future years, the command predicts a range of workable hours from the hours in each whole year of the
     record, by Student's t-distribution. The option --persistence sets how similar consecutive years are. A
-    weather window ends at a gap in the record. If there is a gap before the next window starts, only a lower
-    bound of the waiting time is known.
+    gap in the record ends a weather window. If a gap is before the start of the next weather window, only a
+    lower bound of the waiting time is known.
 
-    With --scene, the limits of that scene must be met, too. The command then simulates some sea states of the
-    record, and interpolates the response of the riser between them. It adds simulated sea states until the
-    error of the interpolation is within the tolerance --error. Finally, the command checks the interpolation
-    by simulations of other sea states.
+    With the option --scene, an hour is workable only if the limits of the scene are also met. The command
+    then simulates the riser in some sea states of the record, and interpolates the response of the riser
+    between them. The command adds simulated sea states until the error of the interpolation is within the
+    tolerance --error. Finally, the command checks the interpolation by simulations of other sea states.
     """
     from riserstudy.seas.hours import idle_limits, sea_limit
     from riserstudy.seas.record import check_windows

@@ -179,8 +179,8 @@ def prune(
     """Remove stored points that no result needs, after confirmation; their size is shown first.
 
     A point is one stored simulation of a study. The command removes damaged points, and points of other
-    engine versions or former file formats. ``--all`` also removes valid points that the studies in this
-    folder do not need. Other folders that use the same store may still need these points.
+    engine versions or former file formats. The option ``--all`` also removes valid points that the studies in
+    this folder do not need. Studies in other folders that use the same store may still need these points.
     """
     from riserstudy.database.ask import NAME
     from riserstudy.database.prune import unneeded
@@ -211,9 +211,9 @@ def crate(
 ) -> None:
     """Pack a study, its results and their description into one archive (run crate), which anyone can rerun.
 
-    The command refuses results that are damaged or were edited. It also refuses results of a run that was
-    interrupted, failed or made only some files. If an input was edited after the run, the command prints a
-    note that names the results to which this applies.
+    The command refuses results that are damaged or were edited. The command also refuses results of a run
+    that was interrupted, failed or made only some files. If an input was edited after the run, the command
+    prints a note that names the results with an edited input.
     """
     from riserstudy.crate.pack import pack
 
