@@ -172,7 +172,9 @@ def _by_reading(kind: Kind, readings: Sequence[Reading]) -> list[str]:
     for answer, word in _answers(kind).items():
         names = [reading_name(r) for r in readings if r.answer == answer]
         if kind == "number" and answer == "false" and len(names) == len(readings) > 1:
-            each = f"none of {len(names)} interpretations" if many else f"no interpretation ({'; '.join(names)})"
+            each = (
+                f"none of {len(names)} interpretations" if many else f"no interpretation ({'; '.join(names)})"
+            )
             parts.append(f"{true} with {each}")
         elif many and len(names) == len(readings):
             parts.append(f"{word} with all {len(names)} interpretations")
