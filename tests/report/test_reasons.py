@@ -6,7 +6,7 @@ from dataclasses import fields
 import numpy as np
 import pytest
 
-from riserstudy.grading.words import summary_by_reading
+from riserstudy.grading.words_by_reading import summary_by_reading
 from riserstudy.records.graded import Grounds, Premise, Reading, Share
 from riserstudy.report.claims import Claim
 

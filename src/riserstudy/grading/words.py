@@ -1,11 +1,12 @@
-"""Sentences about published values and claims; only this module makes them, from records alone."""
+"""Sentences about published values and claims, from records alone."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 
 from riserstudy.grading.names import option_name
 from riserstudy.grading.verdict import ENOUGH
+from riserstudy.grading.words_by_reading import HIT, JUDGED, all_of, by_reading, capital, share_of
 from riserstudy.records.graded import (
     Chosen,
     Grounds,
@@ -15,8 +16,6 @@ from riserstudy.records.graded import (
     Missing,
     Outcome,
     Premise,
-    Reading,
-    ReadingAnswer,
     Settled,
     Share,
     Together,
@@ -25,10 +24,7 @@ from riserstudy.records.words import listed
 
 DECIDES = 1.0 / 3.0  # smallest share of the outcome's variance that deciding inputs must explain
 ROUNDING = 1e-14  # smaller values are rounding errors
-MANY, NAMED = 12, 6  # of more than MANY interpretations, only NAMED are named
 NOT_ONE = "no single input or pair"  # instead of deciding inputs, if none explains most of the outcome
-_HIT = {"number": ("met", "not met"), "claim": ("true", "false")}
-_JUDGED = {"number": "the published value is", "claim": "the claim is"}
 
 
 def note(kind: Kind, unit: str, grounds: Grounds) -> str:
@@ -80,125 +76,8 @@ def depends_on(kind: Kind, grounds: Grounds) -> str:
         return ""
     if grounds.readings:
         return f"{decided_by(grounds)}: {by_reading(kind, grounds.readings)}"
-    share = f"; {_share(grounds.share, _HIT[kind][0])}" if grounds.share else ""
+    share = f"; {share_of(grounds.share, HIT[kind][0])}" if grounds.share else ""
     return f"{decided_by(grounds)}{share}"
-
-
-def by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
-    """Results by interpretation: first certain answers, then shares within interpretations."""
-    return "; ".join(_by_reading(kind, readings))
-
-
-def _answers(kind: Kind) -> dict[ReadingAnswer, str]:
-    """Words for the results of interpretations, in the order in which they are listed."""
-    true, false = _HIT[kind]
-    return {"true": true, "no difference": "no difference", "false": false}
-
-
-def summary_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
-    """Sentences with the interpretations for each result, or with their number if they are many."""
-    words = _answers(kind)
-    subject = _capital(_JUDGED[kind])
-    names: dict[ReadingAnswer, list[str]] = {}
-    for reading in readings:
-        names.setdefault(reading.answer, []).append(reading_name(reading))
-    count = len(readings)
-    all_of_them = {1: "the only interpretation", 2: "both interpretations"}
-    every = f"{all_of_them.get(count, f'all {count} interpretations')} of the paper"
-    if len(names) == 1:
-        only = readings[0].answer
-        if only == "depends":
-            return f"With {every}, the outcome depends on further inputs."
-        if only == "no difference":
-            return _equal(every)
-        if kind == "number" and only == "false" and count > 1:
-            none = "neither interpretation" if count == 2 else f"none of the {count} interpretations"
-            return f"{subject} met with {none} of the paper."
-        return f"{subject} {words[only]} with {every}."
-    others, equal = len(names.pop("depends", [])), names.pop("no difference", [])
-    order: list[ReadingAnswer] = ["true", "false"]
-    found = [(words[answer], names[answer]) for answer in order if answer in names]
-    if count <= NAMED // 2 and not others:
-        values = not any(isinstance(value, str) for reading in readings for value in reading.place.values())
-        noun = "value" if values else "interpretation"
-
-        def named(those: list[str]) -> str:
-            return f"the {noun}{'s' if len(those) > 1 else ''} {listed(those)}"
-
-        texts = [f"{subject} {word} with {named(those)}." for word, those in found]
-        return " ".join([*texts, *([_equal(named(equal))] if equal else [])])
-    texts = []
-    if found:
-        (word, first), *rest = ((word, len(those)) for word, those in found)
-        most = f"{word} with {first} of {count} interpretations of the paper"
-        texts.append(f"{subject} {listed([most, *(f'{word} with {n}' for word, n in rest)])}.")
-    if equal:
-        one, of = len(equal) == 1, "" if found else f" of {count}"
-        texts.append(_equal(f"{len(equal)}{of} {'other ' if found else ''}interpretation{'s'[one:]}"))
-    if others:
-        remaining = "interpretation" if others == 1 else f"{others} interpretations"
-        texts.append(f"With the other {remaining}, the outcome depends on further inputs.")
-    return " ".join(texts)
-
-
-def _equal(interpretations: str) -> str:
-    """The sentence on interpretations with which the compared values do not differ."""
-    return f"With {interpretations}, the compared values are nearly equal, so the claim is not true."
-
-
-def rows_by_reading(kind: Kind, readings: Sequence[Reading]) -> list[tuple[str, str]]:
-    """Rows of a table: interpretations, and the result with them; of many, the ones with a rare result."""
-    true = _HIT[kind][0]
-    rows, many = [], len(readings) > MANY
-    for answer, plain in _answers(kind).items():
-        names = [reading_name(reading) for reading in readings if reading.answer == answer]
-        if many and len(names) > NAMED:
-            rows.append((f"{len(names)} of {len(readings)} interpretations", plain))
-        else:
-            rows += [(name, plain) for name in names]
-    for reading in readings:
-        if reading.answer == "depends":
-            inputs = listed([f"“{name}”" for name in reading.decided_by])
-            by = f" The outcome depends most on {inputs}." if reading.decided_by else ""
-            found = f"{_capital(_JUDGED[kind])} {_share(reading.share, true)}."
-            rows.append((reading_name(reading), f"{found}{by}"))
-    return rows
-
-
-def _by_reading(kind: Kind, readings: Sequence[Reading]) -> list[str]:
-    """Parts of results by interpretation."""
-    true = _HIT[kind][0]
-    parts, many = [], len(readings) > MANY
-    for answer, word in _answers(kind).items():
-        names = [reading_name(r) for r in readings if r.answer == answer]
-        if kind == "number" and answer == "false" and len(names) == len(readings) > 1:
-            each = (
-                f"none of {len(names)} interpretations" if many else f"no interpretation ({'; '.join(names)})"
-            )
-            parts.append(f"{true} with {each}")
-        elif many and len(names) == len(readings):
-            parts.append(f"{word} with all {len(names)} interpretations")
-        elif names and many and len(names) > NAMED:
-            parts.append(f"{word} with {len(names)} of {len(readings)} interpretations")
-        elif len(names) == len(readings) > 1:
-            each = "any" if answer == "no difference" else "every"
-            parts.append(f"{word} with {each} interpretation ({'; '.join(names)})")
-        elif names:
-            parts.append(f"{word} with {listed(names)}")
-    for reading in readings:
-        if reading.answer == "depends":
-            by = f", depending most on {listed(reading.decided_by)}" if reading.decided_by else ""
-            parts.append(f"with {reading_name(reading)}, {_share(reading.share, true)}{by}")
-    return parts
-
-
-def reading_name(reading: Reading) -> str:
-    """Name of an interpretation by its place on the axes, in quotation marks."""
-    name = " / ".join(
-        option_name(value) if isinstance(value, str) else f"{axis.replace('_', ' ')} {value:g}"
-        for axis, value in reading.place.items()
-    )
-    return f"“{name}”"
 
 
 def decided_by(grounds: Grounds) -> str:
@@ -248,8 +127,8 @@ def _signed(share: float) -> str:
 def share_in_words(kind: Kind, grounds: Grounds) -> list[str]:
     """Number of samples, or interpretations, that meet it; empty without samples."""
     if grounds.readings:
-        return [f"{_capital(by_reading(kind, grounds.readings))}."]
-    return [f"{_capital(_share(grounds.share, _HIT[kind][0]))}."] if grounds.share else []
+        return [f"{capital(by_reading(kind, grounds.readings))}."]
+    return [f"{capital(share_of(grounds.share, HIT[kind][0]))}."] if grounds.share else []
 
 
 def _influence(grounds: Grounds) -> list[str]:
@@ -264,7 +143,7 @@ def _influence(grounds: Grounds) -> list[str]:
         return ["With this number of samples, no input explains the outcome better than chance."]
     word = "explains" if len(by) == 1 else "together explain"
     names = [influence.name for influence in by]
-    which = _capital(names[0]) if len(names) == 1 else f"The inputs {listed(f'“{name}”' for name in names)}"
+    which = capital(names[0]) if len(names) == 1 else f"The inputs {listed(f'“{name}”' for name in names)}"
     return [f"{which} {word} {100 * grounds.explained:.0f} % of the variance of the outcome."]
 
 
@@ -272,7 +151,7 @@ def _by_option(kind: Kind, influence: Influence) -> str:
     """Share of the samples that meet it, for each option of a deciding input."""
     options = influence.by_option.items()
     each = "; ".join(f"{option_name(option)} {100 * share:.0f} %" for option, share in options)
-    return f"Share of samples {_HIT[kind][0]}, by {influence.name}: {each}." if each else ""
+    return f"Share of samples {HIT[kind][0]}, by {influence.name}: {each}." if each else ""
 
 
 def _within(share: float | None) -> Iterator[str]:
@@ -325,7 +204,7 @@ def _together(together: Together | None) -> Iterator[str]:
 
 def alone_in_words(together: Together) -> str:
     """Number of samples, interpretations or cases that meet a value judged alone."""
-    return f"{together.alone.met} of {_all_of(together.alone)}"
+    return f"{together.alone.met} of {all_of(together.alone)}"
 
 
 def _chosen(chosen: Chosen | None) -> Iterator[str]:
@@ -364,8 +243,8 @@ def _outcome(kind: Kind, unit: str, outcome: Outcome, together: Together | None)
 
 def result_of(kind: Kind, unit: str, outcome: Outcome, together: Together | None) -> tuple[str, str]:
     """The value or the range of values of a case, and the finding; ``together`` as in ``Grounds``."""
-    true, false = _HIT[kind]
-    judged = _JUDGED[kind]
+    true, false = HIT[kind]
+    judged = JUDGED[kind]
     ends = dict.fromkeys((_plain(outcome.low), _plain(outcome.high)))
     values = f"{' to '.join(ends)}{_unit(unit)}"
     if outcome.readings:
@@ -374,7 +253,7 @@ def result_of(kind: Kind, unit: str, outcome: Outcome, together: Together | None
     share = outcome.share
     if share is not None and share.samples > 1:
         by = f", depending most on {listed(outcome.decided_by)}" if outcome.decided_by else ""
-        return values, f"{judged} {_share(share, true)}{by}"
+        return values, f"{judged} {share_of(share, true)}{by}"
     same, met = (outcome.same, outcome.met) if share is None else (share.same, share.met)
     if same and not met:
         return values, "the compared values are nearly equal"
@@ -390,25 +269,6 @@ def _unit(unit: str) -> str:
     return {"": "", "1": "", "deg": "°"}.get(unit, f" {unit}")
 
 
-def _share(share: Share, word: str) -> str:
-    """Number of hits among samples, with the interval of their share."""
-    percent = f"{100 * share.met / share.samples:.0f} %"
-    if share.low is not None and share.high is not None:
-        percent += f", 95 % confidence interval {100 * share.low:.0f} to {100 * share.high:.0f} %"
-    same = f"; in {share.same}, the compared values are nearly equal" if share.same else ""
-    return f"{word} in {share.met} of {_all_of(share)} ({percent}{same})"
-
-
-def _all_of(share: Share) -> str:
-    """Number of samples, of interpretations, or of cases, which combine both."""
-    of = {None: "interpretations", share.samples: "samples"}.get(share.draws, "cases")
-    return f"{share.samples} {of}"
-
-
 def _plain(value: float) -> str:
     """A number with three digits, without an exponent for usual sizes."""
     return f"{float(f'{value:.3g}'):g}" if abs(value) > ROUNDING else "0"
-
-
-def _capital(text: str) -> str:
-    return text[:1].upper() + text[1:]

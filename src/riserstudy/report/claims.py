@@ -8,16 +8,8 @@ from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
 from riserstudy.grading.names import option_name
-from riserstudy.grading.words import (
-    NOT_ONE,
-    alone_in_words,
-    margin_rows,
-    remarks,
-    result_of,
-    rows_by_reading,
-    summary_by_reading,
-    too_few,
-)
+from riserstudy.grading.words import NOT_ONE, alone_in_words, margin_rows, remarks, result_of, too_few
+from riserstudy.grading.words_by_reading import rows_by_reading, summary_by_reading
 from riserstudy.records.graded import Grounds, Influence, ItemResult, Kind
 from riserstudy.records.words import listed
 from riserstudy.report.wording import number, sentence, share, unit
