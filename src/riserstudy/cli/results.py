@@ -41,7 +41,7 @@ def results(
     where: Annotated[
         str | None,
         typer.Option(
-            help="list only points with this condition, such as 'heave_amplitude > 3'", metavar="CONDITION"
+            help="list only points for which this is true, such as 'heave_amplitude > 3'", metavar="CONDITION"
         ),
     ] = None,
     columns: Annotated[str | None, typer.Option(help="columns to show", metavar="A,B,...")] = None,
@@ -167,7 +167,7 @@ def prune(
     every: Annotated[
         bool,
         typer.Option(
-            "--all", help="also remove points of the present engine version that no study here uses"
+            "--all", help="also remove points of the present engine version that no study in this folder uses"
         ),
     ] = False,
     yes: Annotated[bool, typer.Option("--yes", help="do not ask for confirmation")] = False,

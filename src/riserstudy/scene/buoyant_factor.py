@@ -19,12 +19,12 @@ class Buoyancy(Strict):
     """Foam blocks around the riser, from which submerged weights and top tension are computed.
 
     The ``factor`` b and the ``tension_ratio`` e can be interpreted in three ways. The key ``reading`` selects
-    one of the interpretations R1, R2 and R3. They differ in the effective tension at a distance h below the
-    top. In the formulas, w is the weight in air of riser and contents per length, and L the length of the
-    riser. In R1, the tension is (1 - b) w (e L - h), and the blocks carry the fraction b of the weight. In
-    R2, the tension is b w (e L - h), and the blocks carry the fraction 1 - b of the weight. In R3, the
-    tension is w (e L - b h), and the blocks also carry the fraction 1 - b of the weight. The top tension also
-    carries the weight of a body at the top.
+    one of the interpretations R1, R2 and R3. The three interpretations differ in the effective tension at a
+    distance h below the top. In the formulas, w is the weight in air of riser and contents per length, and L
+    the length of the riser. In R1, the tension is (1 - b) w (e L - h), and the blocks carry the fraction b of
+    the weight. In R2, the tension is b w (e L - h), and the blocks carry the fraction 1 - b of the weight. In
+    R3, the tension is w (e L - b h), and the blocks also carry the fraction 1 - b of the weight. The top
+    tension also carries the weight of a body at the top.
     """
 
     factor: Annotated[float, Field(ge=0, le=1)]

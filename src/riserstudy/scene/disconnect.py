@@ -47,7 +47,7 @@ class Isolation(Strict):
 class RecoilValve(Strict):
     """A valve in the oil between each cylinder and its gas, which closes after the release.
 
-    ``opening`` is the area of the open valve; the open valve throttles the oil even before the release.
+    ``opening`` is the area of the open valve. The open valve throttles the oil even before the release.
     ``discharge`` is the discharge coefficient of the valve. At the time ``delay`` after the release, the
     valve starts to close. Within the time ``over``, the valve closes smoothly to the fraction ``residual`` of
     its opening. The valves of ``failed`` cylinders, counted from 0, stay open. By default ``delay`` is 0 s.
@@ -88,9 +88,10 @@ class Disconnect(Strict):
     the heave rises through its mean, and 90 deg at its maximum. The heave must be a single harmonic. ``over``
     is the time over which the force of the connector decreases. By default the disconnect is sudden. A sudden
     disconnect sends steep fronts of tension waves along an undamped riser. A constant top tension remains
-    unchanged after the disconnect, unless ``valve`` is given. Tensioners act as before, unless
-    ``recoil_valve`` is given. By default, the contents stay in the riser; ``drain`` lets them flow out.
-    Without ``stack`` the LMRP does not re-contact the BOP stack but can move through it, with a warning.
+    unchanged after the disconnect, unless ``valve`` is given. The tensioners act as before the disconnect,
+    unless ``recoil_valve`` is given. By default, the contents stay in the riser. With ``drain``, the contents
+    flow out. Without ``stack`` the LMRP does not re-contact the BOP stack but can move through it, with a
+    warning.
     """
 
     at: Annotated[u.Time, POSITIVE]

@@ -239,13 +239,13 @@ class Top(Strict):
 
     Without ``offset``, the riser's top is vertically above the bottom. Without ``elevation``, the top has the
     height of the static equilibrium. Tension, tension loss, force, tensioners and body are absent if they are
-    not given. With ``held_at_tension``, the engine computes the height at which the top is held. At this
-    height, the vertical component of the pull on the static riser equals the given force. If there is a body
-    at the top, the pull just below this body equals the given force. For ``held_at_tension``, the platform is
-    in its position in calm water, and the current has its full speed. If ``x`` follows the platform, a flex
-    joint or clamp at the top rotates with the platform. With a telescopic joint, the top is the upper end of
-    the joint. ``tension``, ``tensioners``, ``lateral_force`` and ``body`` are then at the tension ring, below
-    the joint.
+    not given. With ``held_at_tension``, the engine computes the height at which the top is held. When the
+    static riser is held at this height, the vertical component of the pull on the riser equals the given
+    force. If there is a body at the top, the pull just below this body equals the given force. For
+    ``held_at_tension``, the platform is in its position in calm water, and the current has its full speed. If
+    ``x`` follows the platform, a flex joint or clamp at the top rotates with the platform. With a telescopic
+    joint, the top is the upper end of the joint. ``tension``, ``tensioners``, ``lateral_force`` and ``body``
+    are then at the tension ring, below the joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

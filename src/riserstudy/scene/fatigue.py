@@ -82,8 +82,8 @@ class StandardCurve(Strict):
     """An S-N curve of DNV-RP-C203, selected by its class (B1 to W3) and its environment.
 
     The numbers and their source are in ``scene/sn_curves.yaml`` of the package. Editions of DNV-RP-C203
-    differ: compare the curves with the edition that you must use. If they differ, give your own curve
-    (``OwnCurve``).
+    differ, so compare the curves with the edition that you must use. If the curves differ from your edition,
+    give your own curve (``OwnCurve``).
     """
 
     detail_class: str

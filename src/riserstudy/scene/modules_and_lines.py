@@ -25,8 +25,8 @@ class Modules(Strict):
     Mass and lift are values for one joint of the section. In a section without ``joints``, they are the
     values for the whole section.
 
-    ``lift`` is the net lift of the modules in water, after subtraction of their own weight. Above the water,
-    the weight of the modules is their mass times gravity.
+    ``lift`` is the net lift of the modules in water, after subtraction of their own weight. For modules above
+    the water, the engine computes the weight as mass times gravity.
     """
 
     mass: Annotated[u.Mass, POSITIVE]

@@ -114,9 +114,9 @@ class Response(Strict):
     defines the response to waves with periods outside the range of the RAOs. With ``hold`` the end values of
     the RAOs apply, and with ``zero`` the platform does not respond to waves outside the range. By default
     (``refuse``) the engine refuses waves with periods outside the range. A warning states the share of the
-    wave energy at periods outside the range. By default the platform responds to the wave of the scene, in
-    all motions of the table and without a ramp. A wave that is given in the response travels along x by
-    default.
+    wave energy at periods outside the range. By default the platform responds to the wave of the scene,
+    without a ramp, in all motions for which the table gives RAOs. A wave that is given in the response
+    travels along x by default.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]

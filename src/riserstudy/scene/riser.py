@@ -211,15 +211,15 @@ class Section(Strict):
     steel pipe with an outer diameter of 21 in, an inner diameter of 19 in and a mass of 318.2 kg/m. In sea
     water of 1025 kg/m^3, with a gravity of 9.81 m/s^2, the submerged weight of this pipe is 874.7 N/m. If the
     pipe is full of mud of 1200 kg/m^3, ``contents`` add 2153.4 N/m to this weight. There are two ways to
-    describe this pipe full of sea water. The first way is a ``submerged_weight`` of 2714.1 N/m without
-    contents. The second way is a ``submerged_weight`` of 874.7 N/m with contents of 1025 kg/m^3. If
-    ``submerged_weight`` is absent, the engine computes the submerged weight from mass, diameters, gravity and
-    water. A section without ``submerged_weight`` must therefore have an inner diameter and ``contents``;
-    otherwise the engine refuses the scene. For a section that is wholly above the water, ``submerged_weight``
-    is the weight in air. The engine divides a section at the water surface if the section crosses the surface
-    and has no ``submerged_weight``, or has modules or lines. In results, the part of the section above the
-    water is named ``<name>, above water``. For the part above the water, the engine adds the weight of the
-    water displaced by the outer diameter to a given ``submerged_weight``.
+    describe this pipe full of sea water. Either give a ``submerged_weight`` of 2714.1 N/m without contents,
+    or give a ``submerged_weight`` of 874.7 N/m with contents of 1025 kg/m^3. If ``submerged_weight`` is
+    absent, the engine computes the submerged weight from mass, diameters, gravity and water. A section
+    without ``submerged_weight`` must therefore have an inner diameter and ``contents``; otherwise the engine
+    refuses the scene. For a section that is wholly above the water, ``submerged_weight`` is the weight in
+    air. The engine divides a section at the water surface if the section crosses the surface and has no
+    ``submerged_weight``, or has modules or lines. In results, the part of the section above the water is
+    named ``<name>, above water``. For the part above the water, the engine adds the weight of the water
+    displaced by the outer diameter to a given ``submerged_weight``.
 
     ``buoyancy_lift`` is the net lift of buoyancy modules in water. The value of ``buoyancy_lift`` has no
     effect on the simulation, because ``submerged_weight`` already includes the lift. Only the formula of the

@@ -45,8 +45,8 @@ class Chamber(Strict):
 class Gas(Chamber):
     """One gas chamber per cylinder, with the pull F = A P (V / (V - A reach))^k - A outside.
 
-    In this formula A is the area, k the exponent, and P and V are pressure and volume at mid-stroke.
-    ``reach`` is the extension from mid-stroke, and ``outside`` is the external pressure.
+    In the formula of the pull F, A is the area, k the exponent, and P and V are pressure and volume at
+    mid-stroke. ``reach`` is the extension from mid-stroke, and ``outside`` is the external pressure.
     """
 
     exponent: Annotated[float, Field(gt=1)]
@@ -196,8 +196,8 @@ class Tensioners(Strict):
     """Equal cylinders between tension ring and deck. By default the cylinders have no damping and no stops.
 
     In one state of the riser, all cylinders are at mid-stroke; ``mid_stroke`` selects this state. The riser
-    is either unstretched, or in equilibrium with the tension that the cylinders have at mid-stroke. In both
-    states, the riser is vertical, in still water, at an offset of zero.
+    is either unstretched, or in equilibrium with the tension that the cylinders have at mid-stroke. In either
+    state, the riser is vertical, in still water, at an offset of zero.
 
     Give exactly one law for the pull of a cylinder: ``gas``, ``two_chamber_gas``, ``linear``, ``carried`` or
     ``table``. ``linearised`` replaces a gas law by a straight line. ``table`` gives any other law, as the

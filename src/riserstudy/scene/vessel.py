@@ -26,8 +26,8 @@ STEPS_A_TURN = 4
 class Wind(Strict):
     """Wind force on the platform, C |u| u.
 
-    In this formula C is ``drag``, and u is the velocity of the wind relative to the platform. By default, the
-    wind blows towards +x.
+    In the formula of the wind force, C is ``drag``, and u is the velocity of the wind relative to the
+    platform. By default, the wind blows towards +x.
     """
 
     drag: Annotated[u.QuadraticDrag, NOT_NEGATIVE]
