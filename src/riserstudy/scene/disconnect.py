@@ -86,12 +86,12 @@ class Disconnect(Strict):
 
     With ``phase``, the disconnect is delayed until the platform's heave has this phase. The phase is 0 when
     the heave rises through its mean, and 90 deg at its maximum. The heave must be a single harmonic. ``over``
-    is the time over which the force of the connector decreases. By default the disconnect is sudden. A sudden
-    disconnect sends steep fronts of tension waves along an undamped riser. A constant top tension remains
-    unchanged after the disconnect, unless ``valve`` is given. The tensioners act as before the disconnect,
-    unless ``recoil_valve`` is given. By default, the contents stay in the riser. With ``drain``, the contents
-    flow out. Without ``stack`` the LMRP does not re-contact the BOP stack but can move through it, with a
-    warning.
+    is the time over which the force of the connector decreases to zero. By default the disconnect is sudden.
+    A sudden disconnect sends steep fronts of tension waves along an undamped riser. A constant top tension
+    remains unchanged after the disconnect, unless ``valve`` is given. The tensioners act as before the
+    disconnect, unless ``recoil_valve`` is given. By default, the contents stay in the riser. With ``drain``,
+    the contents flow out. Without ``stack`` the LMRP does not re-contact the BOP stack but can move through
+    it, with a warning.
     """
 
     at: Annotated[u.Time, POSITIVE]

@@ -110,13 +110,13 @@ class Response(Strict):
     whether the headings of RAOs are directions that waves travel to (``towards``) or come from (``from``).
     Between headings, RAOs are interpolated linearly. The rows of the table can be in any order. With
     ``symmetry``, the engine mirrors the response at a given heading to obtain the response at a missing
-    heading. The mirror is the x-z plane (``sides``), or also the y-z plane (``sides and ends``). ``beyond``
-    defines the response to waves with periods outside the range of the RAOs. With ``hold`` the end values of
-    the RAOs apply, and with ``zero`` the platform does not respond to waves outside the range. By default
-    (``refuse``) the engine refuses waves with periods outside the range. A warning states the share of the
-    wave energy at periods outside the range. By default the platform responds to the wave of the scene,
-    without a ramp, in all motions for which the table gives RAOs. A wave that is given in the response
-    travels along x by default.
+    heading. With ``symmetry: sides``, the x-z plane is the mirror. With ``symmetry: sides and ends``, the x-z
+    plane and the y-z plane are mirrors. ``beyond`` defines the response to waves with periods outside the
+    range of the RAOs. With ``hold`` the end values of the RAOs apply, and with ``zero`` the platform does not
+    respond to waves outside the range. By default (``refuse``) the engine refuses waves with periods outside
+    the range. A warning states the share of the wave energy at periods outside the range. By default the
+    platform responds to the wave of the scene, without a ramp, in all motions for which the table gives RAOs.
+    A wave that is given in the response travels along x by default.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]

@@ -88,12 +88,12 @@ class WindDrift(Strict):
     """Ekman's drift of deep water under a steady wind.
 
     The speed of the drift at the surface is surface_factor W / sqrt(sin latitude), with the wind speed W. At
-    the surface, the direction of the drift is 45 degrees from the wind. With depth, the drift turns further
-    away from the wind. At the friction depth, depth_factor W / sqrt(sin latitude), the drift is opposite to
-    its surface direction, with 1/23 of the surface speed. ``component`` selects the part of the drift that
-    acts on the riser: the part along the wind, the part across the wind, the magnitude, or both parts. With
-    ``both``, the heading of the current is the heading of the wind. The drift then turns to the right of the
-    wind in the northern ``hemisphere``, and to the left in the southern hemisphere.
+    the surface, the direction of the drift is 45 degrees from the wind. With increasing depth, the drift
+    turns further away from the wind. At the friction depth, depth_factor W / sqrt(sin latitude), the drift is
+    opposite to its surface direction, with 1/23 of the surface speed. ``component`` selects the part of the
+    drift that acts on the riser: the part along the wind, the part across the wind, the magnitude, or both
+    parts. With ``both``, the heading of the current is the heading of the wind. The drift then turns to the
+    right of the wind in the northern ``hemisphere``, and to the left in the southern hemisphere.
     """
 
     wind_speed: Annotated[u.Speed, POSITIVE]

@@ -66,7 +66,7 @@ class TwoChamberGas(Strict):
     """Two gas chambers per cylinder.
 
     The gas at high pressure pulls the tension ring up. The gas at low pressure and the weight of the pistons
-    act against this force. The pull of the cylinder is the difference of the two.
+    act against the pull of the high-pressure gas. The pull of the cylinder is the difference of the two.
 
     Without ``pistons``, the pistons have neither weight nor mass.
     """
