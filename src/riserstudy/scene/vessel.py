@@ -92,7 +92,10 @@ class Thrusters(Strict):
 
 
 class Sway(Strict):
-    """The hull can move sideways. If added mass and hull drag across the hull are not given, they are zero."""
+    """The hull can move sideways.
+
+    If added mass and hull drag across the hull are not given, they are zero.
+    """
 
     added_mass: Annotated[u.Mass, NOT_NEGATIVE] | None = None
     hull_drag: Annotated[u.QuadraticDrag, NOT_NEGATIVE] | None = None
