@@ -2,8 +2,9 @@ r"""Axial elasticity of the pipe.
 
 .. math:: T_e = EA\,(\ell / \ell_0 - 1)
 
-with the unstretched length as reference. T is the effective tension. Weights and fluid loads are given per
-unstretched length, and pressures need no separate forces.
+with the unstretched length as reference. T_e is the effective tension. Because weights are submerged weights,
+the pressures of contents and sea need no separate forces. Weights and fluid loads are given per unstretched
+length.
 
 References
 ----------

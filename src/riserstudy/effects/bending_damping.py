@@ -5,9 +5,10 @@ r"""Bending structural damping, proportional to the rate of curvature (Kelvin-Vo
 The moments therefore follow from the turning angles plus :math:`\tau` times their rates. In a plane
 moments and angles are numbers, in space they are vectors of three components.
 
-A flex joint at a node is not damped: there only the pipe's share of the turning angle counts, which is its
-share of the node's flexibility. This neglects the square of :math:`\tau` times the frequency, and the share
-decreases with the length of the segments.
+A flex joint at a node is not damped: at this node, the damping acts only on the pipe's share of the turning
+angle. The pipe's share of the turning angle is taken as the pipe's share of the node's flexibility. This
+choice neglects the square of :math:`\tau` times the frequency. The pipe's share decreases with the length of
+the segments.
 
 References
 ----------

@@ -1,9 +1,10 @@
 """Tensioner cylinders between the tension ring (a node) and the deck: positions and directions of pull.
 
-The reach of a cylinder is its extension from mid-stroke. The laws in other files (gas, spring, damping,
-end stop) give the pull on the ring from the reach and its rate. This file converts the pull to forces on
-the node. Upright cylinders pull vertically at any position of the ring, which is the usual model for small
-angles. The deck above them moves up and down with the platform, also by its tilts.
+The reach of a cylinder is its extension from mid-stroke. Other effects (gas, spring, damping, end stop) give
+the pull of the cylinder on the ring from the reach and its rate. This file converts the pull to forces on the
+node. Upright cylinders pull vertically at any position of the ring, which is the usual model for small
+angles. The deck above the cylinders moves up and down with the platform. Roll and pitch of the platform also
+move the deck up and down.
 
 References
 ----------

@@ -6,14 +6,15 @@ ring along its axis. The ring rotates with the top of the riser below it. Unequa
 ring, the telescopic joint therefore has :math:`M - m` above it. The component of m along the axis of the
 ring is a torque; it has no effect, because the riser is free to twist.
 
-The deck moves with a platform of prescribed motion, or horizontally with a freely floating vessel. In the
-second case, the vessel is the top node of the riser, and carries the horizontal component of the pulls.
-The prescribed motion of a platform is added to the motion of the vessel.
+The deck moves with a platform of prescribed motion, or horizontally with a freely floating vessel. A freely
+floating vessel is the top node of the riser, and carries the horizontal component of the pulls. The
+prescribed motion of a platform is added to the motion of the vessel.
 
-The derivative of the moment m is omitted from the static stiffness, because it is small compared with the
-stiffness of the riser. In motion it is not: over a step h, dampers c at a radius a resist a rotation of the
-ring like a spring of about c a^2 / h. The derivative with respect to the direction of the riser below the
-ring is then included, except for its effect at the upper end of the joint.
+The static stiffness omits the derivative of the moment m, because this derivative is small compared with the
+stiffness of the riser. In motion the derivative is not small: over a step h, dampers c at a radius a resist a
+rotation of the ring like a spring of about c a^2 / h. In motion, the tangent therefore includes the
+derivative with respect to the direction of the riser below the ring, except for its effect at the upper end
+of the joint.
 
 References
 ----------

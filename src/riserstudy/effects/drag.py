@@ -3,11 +3,12 @@ r"""Morison drag from the component of the relative water velocity across the pi
 .. math:: f = \tfrac12 \rho\,C_D D\,|u_n|\,u_n,\qquad u_n = (u - \dot r) - ((u - \dot r)\cdot t)\,t
 
 per unstretched length, with the tangent t of the pipe. For drag that acts horizontally, t is the vertical.
-The tangent at a node depends on both neighbouring nodes. The exact derivative of a load that is shared
-with a neighbour would therefore not fit into the band of the stiffness matrix. The derivative with respect
-to the direction of the pipe is computed as if each load acted on one node only. The omitted term is a
-second difference, which is small for corrections that extend over several segments. In motion, all these
-derivatives are small compared with inertia, and the number of iterations is the same without them.
+The direction of the pipe at a node depends on both neighbouring nodes. The exact derivative of a load that is
+shared with a neighbour would therefore not fit into the band of the stiffness matrix. The engine computes the
+derivative with respect to the direction of the pipe as if each load acted on one node only. The omitted term
+is a second difference, which is small for corrections that extend over several segments. In motion, the
+derivatives with respect to the direction are small compared with inertia, and the number of iterations is the
+same without these derivatives.
 
 References
 ----------

@@ -1,13 +1,14 @@
 r"""Drag with a coefficient over elevation, evaluated at the present elevation of the moving pipe.
 
 The coefficient C(z) is linear between the points of a table, and has a jump where two points have the same
-elevation. It is integrated along the straight segments against the hat functions of their nodes,
+elevation. The engine integrates the coefficient along the straight segments, weighted with the hat functions
+of the nodes,
 
 .. math:: c_{low} = 2 \int_0^1 (1 - \xi)\,C(z_\xi)\,d\xi,\qquad
           c_{up} = 2 \int_0^1 \xi\,C(z_\xi)\,d\xi,\qquad z_\xi = (1 - \xi) z_{low} + \xi z_{up},
 
-The load therefore changes smoothly while a jump passes through a segment. Otherwise, the force is that of
-``drag``.
+The load therefore changes smoothly while a segment moves through a jump of the coefficient. In all other
+respects, the force is the force of the effect ``drag``.
 
 References
 ----------

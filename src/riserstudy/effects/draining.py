@@ -1,15 +1,15 @@
 r"""Contents that drain from a disconnected riser, and sea water that follows them.
 
-The column moves along the riser as one body, with the speed V(t) downwards. The column follows the lateral
-motion of the riser, but not its axial motion. Including the wall friction, the load in the effective
-tension is
+The contents move along the riser as one column, with the speed V(t) downwards. The column follows the lateral
+motion of the riser, but not its axial motion. Including the wall friction, the load in the effective tension
+is
 
 .. math:: f = -m(s, t)\,g\,\hat z + m(s, t)\,\dot V\,\hat t, \qquad m = \rho_i A_i
 
 over the filled length. Speed and level come from a table (`model.mud_column`). The effects `weight` and
-`contents` use the remaining mass that this effect computes. Contents that flow out take their kinetic
-energy with them. The momentum of the flow through a curved or rotating riser, :math:`\rho A V^2`, is
-neglected compared with the tension.
+`contents` use the remaining mass that this effect computes. Contents that flow out carry their kinetic energy
+out of the riser. The model neglects the momentum :math:`\rho A V^2` of the flow through a curved or rotating
+riser, which is small compared with the tension.
 
 References
 ----------

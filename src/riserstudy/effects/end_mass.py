@@ -1,8 +1,8 @@
 r"""A concentrated mass at a node: LMRP, tension ring, telescopic joint.
 
-It has a submerged weight and inertia. Added mass :math:`m_a` and quadratic drag can differ between
-horizontal and vertical motion. With the relative velocity u of the water, its acceleration :math:`\dot w`
-and the displaced volume V,
+The concentrated mass has a submerged weight and inertia. Added mass :math:`m_a` and quadratic drag can differ
+between horizontal and vertical motion. With the relative velocity u of the water, its acceleration
+:math:`\dot w` and the displaced volume V,
 
 .. math:: f = \tfrac12 \rho\,C_D A\,|u|\,u + (\rho V + m_a)\,\dot w - m_a\,a
 

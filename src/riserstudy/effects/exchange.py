@@ -9,8 +9,8 @@ times of a table,
    r = r_0 + x\,\Delta + x (1 - x) \big[(1 - x)(h v_0 - \Delta) + x (\Delta - h v_1)\big],\qquad
    \Delta = r_1 - r_0,
 
-with its derivative as velocity. The acceleration is interpolated linearly, and is therefore that of the
-platform at each time of the table.
+with the derivative of r as velocity. The acceleration is interpolated linearly, and is therefore equal to the
+acceleration of the platform at each time of the table.
 
 References
 ----------

@@ -2,9 +2,10 @@ r"""Flex joints (rotational springs) and clamps at the ends of the riser.
 
 .. math:: M = K\,\theta
 
-with the rotation from the direction of the support to that of the riser, a number in a plane and a vector
-in space. The joint is represented by the flexibility 1/K of the end node. A clamp is therefore 1/K = 0,
-and the stiffness has no upper limit. The direction of the support is fixed, or rotates with the platform.
+with the rotation :math:`\theta` from the direction of the support to the direction of the riser. In a plane,
+the rotation is a number; in space, it is a vector. The flexibility 1/K of the end node represents the joint.
+A clamp is therefore 1/K = 0, and the stiffness has no upper limit. The direction of the support is fixed, or
+rotates with the platform.
 
 References
 ----------

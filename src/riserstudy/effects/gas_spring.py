@@ -2,8 +2,8 @@ r"""Gas of a tensioner cylinder, whose pressure follows from its volume by a pol
 
 .. math:: F = A\,P_0 \left(\frac{V_0}{V_0 - A\,x}\right)^k
 
-with the extension x of the cylinder (Chang et al. 2020, Eqs. 1-3). The X of that paper is -x, the rise of
-the ring relative to the platform.
+with the extension x of the cylinder from mid-stroke (Chang et al. 2020, Eqs. 1-3). In the paper, X is -x, the
+rise of the ring relative to the platform.
 
 References
 ----------

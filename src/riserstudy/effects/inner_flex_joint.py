@@ -2,7 +2,7 @@ r"""A flex joint between two sections of the riser.
 
 .. math:: \alpha_{above} - \alpha_{below} = M / K
 
-Since moments are unknowns, the joint is an additional flexibility 1/K of its node.
+Since moments are unknowns, the joint is an additional flexibility 1/K of the node at the joint.
 
 References
 ----------

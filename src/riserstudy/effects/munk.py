@@ -1,7 +1,8 @@
 r"""Munk moment: added inertia of a hull that is free to yaw in a current.
 
-The added mass moves relative to the water, which moves with the velocity U. Lagrange's equations of
-:math:`\tfrac12 (\dot r - U)^T A(\psi) (\dot r - U)`, minus those of the hull in water at rest, give
+The added mass A moves relative to the water, which moves with the velocity U. Lagrange's equations of the
+kinetic energy :math:`\tfrac12 (\dot r - U)^T A(\psi) (\dot r - U)`, minus Lagrange's equations of the hull in
+water at rest, give
 
 .. math::
 

@@ -3,8 +3,8 @@ r"""Constant pull of tensioners along a telescopic joint, and the end stops of t
 .. math:: T = T_0 + k\,[\max(0, \ell - \ell_{out}) + \min(0, \ell - \ell_{in})]
 
 with a stop at the largest extension, a stop where the barrels meet, or both. Stops are elastic springs
-without energy loss. A joint that is compressed to its inner stop pushes, so its axial force can be a
-compression.
+without energy loss. A joint that is compressed to its inner stop pushes, so the axial force of the joint can
+be a compression.
 
 References
 ----------

@@ -4,8 +4,9 @@ The springs are linear, :math:`p = k\,y`, or follow Matlock's soft clay under st
 
 .. math:: p = \tfrac12\,p_u\,(y/y_{50})^{1/3},\qquad p \le p_u,
 
-Its stiffness at the origin is infinite, so a straight line replaces the curve up to a small :math:`y_0`.
-Sand and tabulated p-y curves are given by cubic pieces, and are constant beyond the last point,
+The stiffness of Matlock's curve at y = 0 is infinite, so a straight line replaces the curve up to a small
+:math:`y_0`. Beyond the last point, the p-y curves of sand and of tables are constant. Up to the last point,
+these curves consist of cubic pieces,
 
 .. math:: p(y) = a_k t^3 + b_k t^2 + c_k t + d_k, \qquad t = y - y_k.
 

@@ -2,7 +2,7 @@ r"""Gauge of the largest stress along a section; exerts no force.
 
 .. math:: \sigma = |T_e| / A + |M|\,D / 2I
 
-at the outer fibre. It uses the effective tension instead of the wall tension, and therefore neglects
+at the outer fibre. The formula uses the effective tension instead of the wall tension, and therefore neglects
 pressures.
 
 References

@@ -1,8 +1,8 @@
 r"""Lock-in: the phase of a vortex force synchronises with the riser's motion in the direction of the force.
 
-The phase advances with a frequency that is :math:`\hat f` times the flow speed divided by the diameter of
-the pipe. If force and velocity are in phase, :math:`\hat f` is that of a pipe at rest. Otherwise it
-increases or decreases, which brings them into phase,
+The phase advances with a frequency that is :math:`\hat f` times the flow speed divided by the diameter of the
+pipe. If force and velocity are in phase, :math:`\hat f` is the value :math:`f_0` of a pipe at rest. Otherwise
+:math:`\hat f` increases or decreases, which brings force and velocity into phase,
 
 .. math:: \dot\varphi = 2\pi\,\hat f(\theta)\,|u|/D,\qquad
           \hat f = f_0 + (f_{max} - f_0)\sin\theta\ (\theta > 0),\qquad
@@ -18,7 +18,7 @@ y' is computed from velocity and acceleration, each divided by its running root 
 
 with :math:`\omega_0 = 2\pi f_0 |u|/D`. Without motion, the phase of y' is not defined; :math:`\varepsilon`
 and :math:`\delta` then make :math:`\sin\theta` zero. At velocities of one hundredth of the flow speed,
-they change :math:`\sin\theta` by less than one per cent.
+:math:`\varepsilon` and :math:`\delta` change :math:`\sin\theta` by less than one per cent.
 
 The phase and both mean squares of each node are internal variables of the model.
 

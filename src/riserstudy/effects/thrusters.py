@@ -10,8 +10,8 @@ node. The unknown is the path q of a unit mass that the force F_c / m drives aga
 
 .. math:: \ddot q + \dot q / \tau = F_c / m,\qquad F = m\,\dot q / \tau ,
 
-Its energy is negligible. If the platform has first-order motion, x excludes this motion: the control
-responds only to the slow motion.
+The energy of this unit mass is negligible. If the platform has first-order motion, x excludes the first-order
+motion: the control responds only to the slow motion.
 
 References
 ----------

@@ -9,13 +9,14 @@ r"""A freely floating platform: the riser's top node with the mass of the platfo
 over the axes :math:`e_k` along and across the hull, which turn with its yaw :math:`\psi`. u and w are the
 velocities of the surface current and of the wind relative to the platform, and F_d is the mean wave drift.
 The time derivatives of T contain the forces and the moment that turn a moving hull broadside if its added
-mass is larger sideways. The resistance to yaw is :math:`C_r |\dot\psi|\,\dot\psi`.
+mass is larger sideways. The water resists the yaw with the moment :math:`C_r |\dot\psi|\,\dot\psi`.
 
-If the platform has first-order motion (`first_order_motion`), r excludes this motion: forces and inertia
-are those of the slow motion.
+If the platform has first-order motion (`first_order_motion`), r excludes the first-order motion: forces and
+inertia depend only on the slow motion.
 
-The unknown for yaw is an arc, :math:`\psi` times the radius of gyration. It is therefore a length, like
-all other unknowns. Without sway the node is held across x; without yaw the hull keeps its heading.
+The unknown for yaw is an arc, :math:`\psi` times the radius of gyration. The unknown for yaw is therefore a
+length, like all other unknowns. Without sway the node is held across x. Without yaw the hull keeps its
+heading.
 
 References
 ----------

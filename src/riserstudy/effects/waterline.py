@@ -2,14 +2,15 @@ r"""Water surface: drag, added mass and wave force act only on the part of a seg
 
 .. math:: w_e = \frac{d_+}{d_+ - d_-}
 
-for a segment with one end under water, at the depth d_+ below the surface, and the other end above it, at
-d_- < 0. For all other segments, the share is 1 or 0. The surface is interpolated linearly between nodes.
-The loads of the segment are computed as if it were under water, and multiplied by the share; at the end
-above the surface, the water velocity is that at the surface. The error is of second order in the segment
-length, and the loads do not jump when a node emerges or submerges.
+for a segment with one end under water, at the depth d_+ below the surface, and the other end above it, at d_-
+< 0. The wet share :math:`w_e` of all other segments is 1 or 0. Between nodes, the elevation of the surface is
+interpolated linearly. The engine computes the loads of the segment as if the whole segment were under water,
+and multiplies the loads by the wet share. At the end above the surface, the water velocity is the velocity at
+the surface. The error is of second order in the segment length, and the loads do not jump when a node emerges
+or submerges.
 
-The submerged weight does not change; it is the number given in the scene. The force due to the changing
-added mass (slamming) is neglected.
+The submerged weight of a segment is the value of the scene, and does not change. The force due to the
+changing added mass (slamming) is neglected.
 
 References
 ----------

@@ -9,15 +9,15 @@ k x - \omega t + \varphi`,
     u = \sum a \omega \frac{\cosh k(z+d)}{\sinh kd} \cos\theta,\quad
     w = \sum a \omega \frac{\sinh k(z+d)}{\sinh kd} \sin\theta
 
-and the derivatives with respect to time. All components increase over the ramp by half a cosine; the
-derivative of the ramp is part of the acceleration. Up to t = 0 the sea is calm, so the static equilibrium
-has no waves. The sums are computed directly, component by component.
+and the derivatives with respect to time. Over the ramp, half a cosine increases the amplitudes of all
+components from zero. The derivative of the ramp is part of the acceleration. Up to t = 0 the sea is calm, so
+the static equilibrium has no waves. The sums are computed directly, component by component.
 
 Linear theory is valid up to the mean level. For the water above it there are three options: no velocity
 (none), the velocity at the mean level (constant), or a profile that is stretched from seabed to surface
-(Wheeler 1970). At nodes above the surface, which are needed for segments that cross the surface
-(`waterline`), the velocity is that at the surface. The wave is evaluated at the position of a node in the
-deformed riser. The stiffness omits the change of the wave with horizontal position.
+(Wheeler 1970). Segments that cross the surface have a node above the surface (`waterline`). At this node, the
+velocity is the velocity at the surface. The wave is evaluated at the position of a node in the deformed
+riser. The stiffness omits the change of the wave with horizontal position.
 
 References
 ----------

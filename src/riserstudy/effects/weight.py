@@ -2,7 +2,7 @@ r"""Constant loads along the riser: submerged weight, and a lateral load per len
 
 .. math:: w = (m_{dry} + \rho_i A_i - \rho_w A_o)\,g
 
-per unstretched length, as it acts in the effective tension.
+per unstretched length. This weight acts in the equations of the effective tension.
 
 References
 ----------
