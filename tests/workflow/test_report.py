@@ -226,13 +226,13 @@ def test_bands_options_margins_and_notes_are_told_apart(claims):
     assert found["A10"].sentences == ["As in A1."]
     assert found["A10"].agreement == "200 of 256"
     assert found["A10"].results == [
-        ("Base case", "The simulated value is 3; the claim is true."),
+        ("Base case", "The simulated value by which the claim is judged is 3; the claim is true."),
         ("Margin of the base case", "+10 %"),
         ("Margins of 90 % of all cases", "−2 to +30 %"),
     ]
     assert found["A2"].sentences == []
     assert found["A2"].results == [
-        ("Base case", "The simulated value is 1.5; the claim is true."),
+        ("Base case", "The simulated value by which the claim is judged is 1.5; the claim is true."),
         ("Margin of the base case", "+25 %"),
     ]
     assert found["B0"].sentences == found["B0"].results == []

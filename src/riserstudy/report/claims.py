@@ -183,8 +183,9 @@ def _results(kind: Kind, unit: str, grounds: Grounds) -> list[tuple[str, str]]:
         )
     for outcome in grounds.outcomes:
         value, found = result_of(kind, unit, outcome, grounds.together)
-        values = "values are" if " to " in value else "value is"
-        rows.append((outcome.name, f"The simulated {values} {value}; {found}."))
+        values, are = ("values", "are") if " to " in value else ("value", "is")
+        which = "" if kind == "number" else "by which the claim is judged "
+        rows.append((outcome.name, f"The simulated {values} {which}{are} {value}; {found}."))
     return rows
 
 
