@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.vessel import loose_nodes
 from riserstudy.scene.ends import FlexJoint, Rotation
+from riserstudy.scene.geometry import Span, length_of, span
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
@@ -104,11 +105,9 @@ class Layout(NamedTuple):
         return [*first, *(k for k, s in enumerate(self.scene.riser) if s.corner_below)]
 
 
-def lower_end(scene: Resolved, length: float) -> float:
-    """Elevation (m) of the lower end of an unstretched riser; its length (m) includes a telescopic joint."""
-    if scene.bottom.hold == "free":
-        return (scene.top.elevation or 0.0) - length
-    return scene.bottom.elevation or 0.0
+def unstretched(scene: Resolved) -> Span:
+    """Elevations of the ends of the unstretched riser (m); its upper end is at 0 if the scene gives none."""
+    return span(scene) or Span(-length_of(scene), 0.0)
 
 
 def layout_of(scene: Resolved, mesh: Mesh, ring_elevation: float | None, d: int) -> Layout:
@@ -125,7 +124,6 @@ def layout_of(scene: Resolved, mesh: Mesh, ring_elevation: float | None, d: int)
         own = scene.riser[k].submerged_weight or 0.0
         return own + contents[k] * sections[k].bore * gravity
 
-    bottom = lower_end(scene, float(mesh.l0.sum()))
     top = scene.top.elevation if scene.top.elevation is not None else ring_elevation
     return Layout(
         scene,
@@ -135,7 +133,7 @@ def layout_of(scene: Resolved, mesh: Mesh, ring_elevation: float | None, d: int)
         sections,
         axial=per_segment(scene, mesh, lambda k: sections[k].axial),
         weight=per_segment(scene, mesh, weight),
-        bottom=bottom,
+        bottom=unstretched(scene).bottom,
         top=top,
         loose=loose_nodes(scene, d),
     )

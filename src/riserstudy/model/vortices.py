@@ -12,11 +12,12 @@ from numpy.typing import NDArray
 from riserstudy.effects.synchronisation import PHASE, VARIABLES
 from riserstudy.effects.vortex_drag import VortexDrag
 from riserstudy.effects.vortex_lift import VortexLift
-from riserstudy.model.layout import Layout, lower_end
+from riserstudy.model.layout import Layout, unstretched
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect, Model
 from riserstudy.model.platform_motion import largest_speed
-from riserstudy.model.sea import current_velocity, in_water, speed_at_crest
+from riserstudy.model.sea import current_velocity, speed_at_crest
+from riserstudy.scene.geometry import NEAR
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import VortexInducedVibration
 
@@ -124,17 +125,16 @@ def shortest_shedding_period(scene: Resolved, drift: float = 0.0) -> float:
         return shortest
     moved = drift
     if scene.top.x in ("platform", "vessel"):
-        moved = max(moved, largest_speed(scene, _upper_end(scene)))
+        moved = max(moved, largest_speed(scene, unstretched(scene).top))
     if moved and scene.bottom.hold != "free":
         moved += float(np.linalg.norm(_cruise(scene)))
-    if (scene.wave is None or scene.water is None) and moved == 0.0:
-        return shortest
     sections = [*_shedding_sections(scene)]
+    if not sections or ((scene.wave is None or scene.water is None) and moved == 0.0):
+        return shortest
     places = np.concatenate([of.places for of in sections])
-    aside = np.full(len(places), moved)
+    speed = _speed(scene, places) + moved
     if scene.wave and scene.water:
-        aside += speed_at_crest(scene.wave, scene.water, scene.gravity or 0.0, places)
-    speed = _speed(scene, places) + np.where(in_water(scene, places), aside, 0.0)
+        speed += speed_at_crest(scene.wave, scene.water, scene.gravity or 0.0, places)
     fastest = speed.reshape(len(sections), -1).max(axis=1)
     own = [
         of.viv.diameter / (of.viv.highest_frequency * u)
@@ -149,16 +149,11 @@ def synchronised(scene: Resolved, frequency: float, edge: float = 0.0) -> float:
 
     ``edge``: relative margin by which the frequency may be outside the range of the vortices.
     """
-    foot, within = _lower_end(scene), 0.0
-    for section in scene.riser:
-        length = section.total_length
-        if section.viv:
-            middles = foot + length * (np.arange(PLACES) + 0.5) / PLACES
-            speed = _speed(scene, middles)
-            low, high = (end * speed / section.viv.diameter for end in section.viv.frequencies[::2])
-            reached = (low <= frequency * (1.0 + edge)) & (frequency * (1.0 - edge) <= high)
-            within += length * float(reached.mean())
-        foot += length
+    within = 0.0
+    for viv, length, places in _shedding_sections(scene):
+        low, high = (end * _speed(scene, places) / viv.diameter for end in viv.frequencies[::2])
+        reached = (low <= frequency * (1.0 + edge)) & (frequency * (1.0 - edge) <= high)
+        within += length * float(reached.mean())
     return within / sum(section.total_length for section in scene.riser)
 
 
@@ -170,9 +165,7 @@ def slowest(scene: Resolved) -> float:
     speed. A vibration whose amplitude varies also varies the drag, and the riser then moves along the flow
     more slowly than this frequency. 0 without current.
     """
-    if not shedding(scene):
-        return 0.0
-    rates, frequencies = [], []
+    rates, frequencies = [np.zeros(0)], [np.zeros(0)]
     for viv, length, places in _shedding_sections(scene):
         speed = _speed(scene, places)
         rates.append(viv.diameter * speed**3 * length)
@@ -186,7 +179,7 @@ def slowest(scene: Resolved) -> float:
 
 
 class _Section(NamedTuple):
-    """A section that sheds vortices."""
+    """The part of a section in the water, if it sheds vortices."""
 
     viv: VortexInducedVibration
     length: float  # (m)
@@ -194,26 +187,17 @@ class _Section(NamedTuple):
 
 
 def _shedding_sections(scene: Resolved) -> Iterator[_Section]:
-    """Sections that shed vortices, from the lowest on."""
-    foot = _lower_end(scene)
+    """Parts of the sections in the water that shed vortices, from the lowest on."""
+    surface = scene.water.surface if scene.water else None
+    highest = math.inf if surface is None else surface
+    lowest = -math.inf if scene.ground is None else scene.ground
+    foot = unstretched(scene).bottom
     for section in scene.riser:
         head = foot + section.total_length
-        if section.viv:
-            yield _Section(section.viv, section.total_length, np.linspace(foot, head, PLACES))
+        low, high = max(foot, lowest), min(head, highest)
+        if section.viv and high - low > NEAR:
+            yield _Section(section.viv, high - low, np.linspace(low, high, PLACES))
         foot = head
-
-
-def _lower_end(scene: Resolved) -> float:
-    """Elevation of the riser's lower end before it stretches (m)."""
-    joint = scene.top.telescopic_joint
-    length = sum(section.total_length for section in scene.riser) + (joint.length if joint else 0.0)
-    return lower_end(scene, length)
-
-
-def _upper_end(scene: Resolved) -> float:
-    """Elevation of the riser's upper end before it stretches (m)."""
-    above = sum(section.total_length for section in scene.riser)
-    return _lower_end(scene) + above if scene.top.elevation is None else scene.top.elevation
 
 
 def _flow(scene: Resolved) -> tuple[FloatArray, FloatArray]:
@@ -236,10 +220,9 @@ def _cruise(scene: Resolved) -> FloatArray:
 
 
 def _speed(scene: Resolved, elevations: FloatArray) -> FloatArray:
-    """Speed of the flow past the riser at elevations (m) in the water (m/s), 0 above it and in the ground."""
+    """Speed of the flow past the riser at elevations in the water (m), (k,), m/s."""
     z, velocity = _flow(scene)
-    speed = np.sqrt(sum(np.interp(elevations, z, part) ** 2 for part in velocity))
-    return np.where(in_water(scene, elevations), speed, 0.0)
+    return np.asarray(np.hypot(*(np.interp(elevations, z, part) for part in velocity)))
 
 
 def first_phases(scene: Resolved, mesh: Mesh, model: Model) -> None:
