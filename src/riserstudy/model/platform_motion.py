@@ -16,12 +16,14 @@ from riserstudy.model.model import Effect
 from riserstudy.model.rao import harmonics
 from riserstudy.model.sea import components_of, wave_numbers
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS, Platform, TimeSeries
+from riserstudy.scene.forcing import Position as Rest
 from riserstudy.scene.rao import Response
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import Storm, Swell
 
 MOTIONS = (*TRANSLATIONS, *TILTS)
 PLACES = 8  # number of places in an interval of a time series at which its speed is evaluated
+DIRECTIONS = 36  # number of directions in half a turn in which a speed is evaluated
 
 
 def motions(scene: Resolved) -> Iterator[Effect]:
@@ -112,33 +114,84 @@ def displacement(scene: Resolved, times: NDArray[np.float64]) -> NDArray[np.floa
     return np.array(rows)
 
 
-def largest_speed(scene: Resolved, elevation: float) -> float:
+def largest_speed(scene: Resolved, place: NDArray[np.float64]) -> float:
     """Largest horizontal speed (m/s) of a point of the platform in its prescribed motion, without cruise.
 
-    It is the sum of the speeds of all motions; of the response to a sea, twice their standard deviation.
-    ``elevation``: elevation of the point (m).
+    Motions of one frequency are added with their phases, and time series at each time. In each direction, the
+    speeds of different frequencies, of the time series and of the response are then summed; of the response
+    to a sea, it is twice the standard deviation. Motions have their full size, as after their ramps, and
+    rotations are small, apart from those at rest.
+
+    ``place``: position of the point with the platform upright above the well, (3,), m.
     """
     platform = scene.platform
     if platform is None:
         return 0.0
-    lever = abs(elevation - float(centre(platform)[2]))
-    arms = np.array([1.0, 1.0, 0.0, lever, lever, 0.0])
+    angle = np.linspace(0.0, math.pi, DIRECTIONS, endpoint=False)
+    levers = np.stack([np.cos(angle), np.sin(angle)], axis=1) @ _levers(platform, place)
+    records = [(effect.because, effect.record) for effect in motions(scene)]
+    total = _of_series(levers, [of for _, of in records if isinstance(of, Series)])
     response = platform.response and (platform.response.wave or scene.wave)
-    total = 0.0
-    for effect in motions(scene):
-        of = effect.record
-        if isinstance(of, Series):
-            time = np.linspace(of.time[0], of.time[-1], PLACES * len(of.time))
-            k = np.clip(np.searchsorted(of.time, time) - 1, 0, len(of.time) - 2)
-            c, since = of.coefficient[:, k], time - of.time[k]
-            total += arms[of.motion] * float(np.abs((3 * c[0] * since + 2 * c[1]) * since + c[2]).max())
-        elif isinstance(of, Harmonic | Encountered):
-            each = arms[of.motion] * np.abs(of.amplitude * of.frequency)
-            if effect.because == "platform.response" and isinstance(response, Storm):
-                total += sum(math.sqrt(2.0 * (each[of.motion == k] ** 2).sum()) for k in range(len(arms)))
-            else:
-                total += float(each.sum())
-    return total
+    for because, of in records:
+        if isinstance(of, Harmonic | Encountered):
+            each = _by_frequency(levers, of)
+            irregular = because == "platform.response" and isinstance(response, Storm)
+            total += np.sqrt(2.0 * (each**2).sum(axis=1)) if irregular else each.sum(axis=1)
+    return float(total.max())
+
+
+def _levers(platform: Platform, place: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Horizontal speed of a point per speed of each motion, (2, 6), m/s per m/s or rad/s.
+
+    ``place``: as in `largest_speed`.
+    """
+    levers = np.zeros((3, 6))
+    levers[:, :3] = np.eye(3)
+    arm, at_rest = place - centre(platform), platform.position or Rest()
+    tilts = [getattr(at_rest, name) or 0.0 for name in TILTS]
+    axes = np.eye(3)  # of roll, pitch and yaw, one a row
+    if any(tilts):
+        from scipy.spatial.transform import Rotation  # loaded where it is needed: it takes long
+
+        arm = Rotation.from_euler("xyz", tilts).apply(arm)
+        axes[0] = Rotation.from_euler("yz", tilts[1:]).apply(axes[0])
+        axes[1] = Rotation.from_euler("z", tilts[2]).apply(axes[1])
+    levers[:, 3:] = np.cross(axes, arm).T
+    return levers[:2]
+
+
+def _of_series(levers: NDArray[np.float64], series: list[Series]) -> NDArray[np.float64]:
+    """Largest speeds (m/s) in directions of a point that moves by time series, (directions,).
+
+    ``levers``: speed in each direction per speed of each motion, (directions, 6), m/s per m/s or rad/s.
+    """
+    if not series:
+        return np.zeros(len(levers))
+    knots = np.unique(np.concatenate([of.time for of in series]))
+    count = PLACES * (len(knots) - 1) + 1
+    times = np.interp(np.linspace(0.0, len(knots) - 1.0, count), np.arange(len(knots)), knots)
+    rates = np.zeros((6, count))
+    for of in series:
+        k = np.clip(np.searchsorted(of.time, times, side="right") - 1, 0, len(of.time) - 2)
+        c, since = of.coefficient[:, k], times - of.time[k]
+        rate = (3.0 * c[0] * since + 2.0 * c[1]) * since + c[2]
+        rates[of.motion] = np.where((times >= of.time[0]) & (times <= of.time[-1]), rate, 0.0)
+    return np.array([np.abs(row @ rates).max() for row in levers])
+
+
+def _by_frequency(levers: NDArray[np.float64], of: Harmonic | Encountered) -> NDArray[np.float64]:
+    """Amplitudes of a point's speed (m/s) in directions at each frequency, (directions, frequencies).
+
+    ``levers``: as in `_of_series`.
+    """
+    frequency = of.frequency
+    if isinstance(of, Encountered):
+        frequency = frequency - of.delay * of.speed
+    _, at = np.unique(frequency, return_inverse=True)
+    each = levers[:, of.motion] * (of.amplitude * frequency * np.exp(1j * of.phase))
+    summed = np.zeros((at.max() + 1, len(levers)), complex)
+    np.add.at(summed, at, each.T)
+    return np.asarray(np.abs(summed.T))
 
 
 def centre(platform: Platform | None) -> NDArray[np.float64]:

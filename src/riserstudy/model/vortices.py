@@ -125,7 +125,8 @@ def shortest_shedding_period(scene: Resolved, drift: float = 0.0) -> float:
         return shortest
     moved = drift
     if scene.top.x in ("platform", "vessel"):
-        moved = max(moved, largest_speed(scene, unstretched(scene).top))
+        top = np.array([scene.top.offset or 0.0, 0.0, unstretched(scene).top])
+        moved = max(moved, largest_speed(scene, top))
     if moved and scene.bottom.hold != "free":
         moved += float(np.linalg.norm(_cruise(scene)))
     sections = [*_shedding_sections(scene)]
