@@ -76,6 +76,32 @@ def test_the_chosen_step_is_short_enough_below_a_cruise(seed):
     assert across[0] == pytest.approx(across[1], rel=0.04)
 
 
+@pytest.mark.long
+@pytest.mark.parametrize("seed", range(2))
+def test_below_a_cruise_a_finer_mesh_may_change_the_mode_but_not_its_size(seed):
+    """Initial phases decide between two modes on either mesh; in one mode, both meshes vibrate alike."""
+    speed, cruise = np.random.default_rng((seed, 33)).uniform([0.03, 0.3], [0.1, 0.6])
+    platform = {"cruise": {"speed": f"{cruise} m/s", "heading": "180 deg", "ramp": "20 s"}}
+    found = {}
+    for phases in range(12):
+        tree = tree_below(speed, platform, duration="300 s")
+        tree["riser"][0]["viv"]["seed"] = phases
+        scene = SceneFile("riser.yaml", tree, {}).resolved()
+        mesh = coarsest_mesh(scene)
+        for fine, one in enumerate((mesh, mesh.halved().halved())):
+            arrays = march(scene, one, 0.1).arrays
+            away = arrays["y"][arrays["time"] > 180.0]
+            shape = np.sin(np.pi / LENGTH * np.multiply.outer(np.arange(1, 9), arrays["s"]))
+            size = ((away @ (shape * np.gradient(arrays["s"])).T) ** 2).mean(axis=0)
+            if size.max() > 0.78 * size.sum():  # of one mode, steadily
+                each = np.sqrt(np.trapezoid((away**2).mean(axis=0), arrays["s"]) / LENGTH)
+                found.setdefault(int(size.argmax()), ([], []))[fine].append(each)
+    assert len(found) == 2
+    for coarse, fine in found.values():
+        if coarse and fine:
+            assert np.mean(coarse) == pytest.approx(np.mean(fine), rel=0.04)
+
+
 def test_a_step_too_long_below_a_surge_is_warned_of():
     surge = {"surge": {"amplitude": "3 m", "period": "10 s", "ramp": "20 s"}}
     for step, warned in (("0.2 s", True), ("0.05 s", False)):
