@@ -154,9 +154,9 @@ def modes(
 
     If the scene does not prescribe a mesh, the riser has about 200 segments. The command estimates the errors
     of the frequencies from two finer meshes, with two and four times as many segments. More segments
-    (``analysis.mesh.elements``) give smaller errors. The modes neglect one effect: tensioner cylinders also
-    resist a rotation of the tension ring. The estimated errors do not include this effect. In six rigs, this
-    effect changed frequencies by 0.03 to 0.16 %.
+    (``analysis.mesh.elements``) give smaller errors. The modes neglect that tensioner cylinders also resist a
+    rotation of the tension ring. The estimated errors do not include the error due to this neglect. In six
+    rigs, the resistance of the cylinders changed frequencies by 0.03 to 0.16 %.
     """
     from rich.console import Console
     from rich.table import Table

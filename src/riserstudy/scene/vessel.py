@@ -73,11 +73,11 @@ class Thrusters(Strict):
     G is ``gain``, D is ``velocity_gain``, and x and v are the position and the velocity of the vessel. Gains
     refer to the directions of the hull in its initial position. Without ``heading``, the commanded position
     is on the x axis. Without ``velocity_gain`` the thrusters do not damp the motion. Without ``saturation``
-    the thrust is unlimited. With ``saturation``, the magnitude of the thrust is limited to this value in all
-    directions. By default the commanded position applies from the start. With ``rise``, the commanded
-    position increases as 1 - exp(-t / rise). By default the thrust follows the command immediately. With
-    ``lag``, the thrust follows the command with this time constant. Without ``sway`` there is no thrust
-    across the hull. Without ``yaw`` the thrusters exert no moment.
+    the thrust is unlimited. With ``saturation``, the magnitude of the thrust is limited to the value of
+    ``saturation`` in all directions. By default the commanded position applies from the start. With ``rise``,
+    the commanded position increases as 1 - exp(-t / rise). By default the thrust follows the command
+    immediately. With ``lag``, the thrust follows the command with the time constant ``lag``. Without ``sway``
+    there is no thrust across the hull. Without ``yaw`` the thrusters exert no moment.
     """
 
     gain: Annotated[u.Stiffness, NOT_NEGATIVE]
