@@ -32,7 +32,8 @@ def chang2020():
     gas = 1.4 * pull(rest) * area / (volume + area * rest)
     ratio = damping / (2.0 * sqrt((stiffness + gas) * mass))
     yield "E3", f"the gas volume becomes zero at a piston displacement of {-volume / 0.47:.1f} m"
-    yield "E3", f"the gas volume becomes zero at {-volume / (4.0 * area):.1f} m"
+    shared = -volume / (4.0 * area)
+    yield "E3", f"bottle, the gas volume becomes zero at a piston displacement of {shared:.1f} m"
     yield "E4", f"damping reduces to 37 % in {2.0 * mass / damping:.0f} s"
     yield "E5", f"which gives a damping ratio of {100.0 * ratio:.1f} %"
     yield "E5", f"would require a damping coefficient that is {0.05 / ratio:.0f} times as large"
