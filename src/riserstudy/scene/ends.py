@@ -244,8 +244,8 @@ class Top(Strict):
     force. If there is a body at the top, the pull just below this body equals the given force. For
     ``held_at_tension``, the platform is in its position in calm water, and the current has its full speed. If
     ``x`` follows the platform, a flex joint or clamp at the top rotates with the platform. With a telescopic
-    joint, the top is the upper end of the joint. ``tension``, ``tensioners``, ``lateral_force`` and ``body``
-    are then at the tension ring, below the joint.
+    joint, the top is the upper end of the joint. With a telescopic joint, ``tension``, ``tensioners``,
+    ``lateral_force`` and ``body`` are at the tension ring, below the joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None
