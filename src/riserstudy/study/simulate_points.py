@@ -28,8 +28,8 @@ def has_error_estimate(study: Study, point: Point) -> bool:
     An estimate takes as long as the run itself. In a study whose points have the same mesh and step, errors
     are similar, so only one in `ONE_IN` points has an estimate. The first and the last point of the grid
     always have one, because the selection by keys is random, and might select none of some twenty points. In
-    a preview, which should be fast, the same applies to small studies. Points with the same key, which differ
-    only in their limits, are one run, and all or none of them have an estimate.
+    a preview, which should be fast, the same applies to small studies, and the first point has none. Points
+    with the same key, which differ only in their limits, are one run, and all or none have an estimate.
     """
     if not study.estimates:
         return False

@@ -177,8 +177,12 @@ class Study:
 
     @cached_property
     def end_keys(self) -> frozenset[str]:
-        """Keys of the first and the last point. Points that differ only in limits have equal keys."""
-        return frozenset(key_of(self.grid.file(index).resolved()) for index in self.grid.ends)
+        """Keys of the first and the last point, in a preview only of the last.
+
+        Points that differ only in limits have equal keys.
+        """
+        ends = self.grid.ends[1:] if self.tier == "preview" else self.grid.ends
+        return frozenset(key_of(self.grid.file(index).resolved()) for index in ends)
 
     @cached_property
     def kernel_groups(self) -> list[str]:
