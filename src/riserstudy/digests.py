@@ -81,6 +81,7 @@ def _dependencies(module: str, _roots: tuple[Path, ...]) -> frozenset[Path]:
     seen: set[str] = set()
     files: set[Path] = set()
     left = [(module, False)]
+    met = {*left}  # thousands of names are imported again and again
     while left:
         name, of_chapter = left.pop()
         file = source_of(name) or (_source_in_study(name) if of_chapter else None)
@@ -89,7 +90,9 @@ def _dependencies(module: str, _roots: tuple[Path, ...]) -> frozenset[Path]:
         seen.add(name)
         files |= {file, *data_of(file)}
         own = not file.is_relative_to(PACKAGE)
-        left += [(other, own) for other in (*imported_by(name, file), _above(name))]
+        others = {(other, own) for other in (*imported_by(name, file), _above(name))} - met
+        met |= others
+        left += others
     _keep_facts()
     return frozenset(files)
 

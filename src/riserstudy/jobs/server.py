@@ -43,7 +43,8 @@ LOADED = (
     "riserstudy.jobs.tasks",
     "riserstudy.jobs.workplan",
 )
-WHEN_IDLE = ("riserstudy.grading.grade",)  # takes a second, and a single figure does not need it
+# takes a second, and a single figure does not need it
+WHEN_IDLE = ("riserstudy.study.join", "riserstudy.grading.grade")
 MANY = 8  # number of jobs from which it pays to load modules that may not be needed
 
 
@@ -53,9 +54,11 @@ def serve(listener: socket.socket, compiled: Path) -> None:
     signal.signal(signal.SIGCHLD, note_ended)
     load_libraries()
     gc.freeze()  # memory that a fork never changes stays shared
-    jobs, waiting = 0, to_load_when_idle()
+    jobs, waiting, kernels = 0, to_load_when_idle(), kernels_to_load()
     while True:
-        may_load = waiting and jobs >= MANY and compiled.exists()
+        if not waiting and compiled.exists():
+            waiting, kernels = kernels, []
+        may_load = waiting and jobs >= MANY
         ready, _, _ = select.select([listener, sys.stdin], [], [], 0.0 if may_load else None)
         if not ready:
             load(waiting.pop(0))
@@ -104,12 +107,18 @@ def note_ended(_signal: int, _frame: FrameType | None) -> None:
 
 
 def to_load_when_idle() -> list[Callable[[], object]]:
-    """Return functions that load the rest while the server is idle: modules, and groups of kernels."""
+    """Return functions that load modules, and the digest of their sources, while the server is idle."""
+    from riserstudy.digests import engine_digest
+
+    return [*(partial(import_module, name) for name in WHEN_IDLE), engine_digest]
+
+
+def kernels_to_load() -> list[Callable[[], object]]:
+    """Return functions that load groups of compiled kernels."""
     from riserstudy.simulation.kernel_groups import GROUPS
     from riserstudy.simulation.warm_up import warm_up
 
-    modules = [partial(import_module, name) for name in WHEN_IDLE]
-    return [*modules, *(partial(warm_up, group) for group in GROUPS)]
+    return [partial(warm_up, group) for group in GROUPS]
 
 
 def load(one: Callable[[], object]) -> None:
