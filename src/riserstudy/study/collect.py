@@ -148,10 +148,12 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     # without variables, there is no dimension `point`
     flat = flat.isel(point=order, missing_dims="ignore")
     flat = with_details(flat.assign(point_statistics), study.base)
-    for column in point_columns():
-        if not column.about.optional or any(column.is_in(r.facts) for r in results):
-            flat[column.name] = ("point", [column.value(r.facts) for r in results])
-    flat["point_key"] = ("point", [p.key for p in study.plan])
+    columns = {
+        column.name: ("point", [column.value(r.facts) for r in results])
+        for column in point_columns()
+        if not column.about.optional or any(column.is_in(r.facts) for r in results)
+    }
+    flat = flat.assign(columns | {"point_key": ("point", [p.key for p in study.plan])})
     dataset = xr.Dataset(coords={n: flat[n] for n in (*OF_A_RUN, OVER) if n in flat.variables})
     for coordinate in dataset.coords:
         dataset[coordinate].attrs = attributes(str(coordinate))
@@ -166,10 +168,12 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
 def add_on_axes(dataset: xr.Dataset, flat: xr.Dataset, points: str, study: Study) -> None:
     """Add the axes of a study, and variables over its points (a dimension of ``flat``) over these axes."""
     shape = tuple(len(steps) for steps in study.axes.values())
+    on_axes: dict[Any, Any] = {}
     for label, values in flat.data_vars.items():
         values = values.transpose(points, ...)
         cells = values.values.reshape(shape + values.shape[1:])
-        dataset[label] = ((*study.axes, *values.dims[1:]), cells, attributes(str(label)))
+        on_axes[label] = ((*study.axes, *values.dims[1:]), cells, attributes(str(label)))
+    dataset.update(on_axes)  # all at once: each update of a dataset copies it
     for axis, steps in study.axes.items():
         about = _named(axis, study.model.axes[axis], study.paper)
         about["sets"] = json.dumps({str(value): sets for value, sets in steps})
