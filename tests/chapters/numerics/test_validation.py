@@ -74,7 +74,7 @@ def test_an_engine_that_errs_does_not_hold_and_is_named(found, monkeypatch):
     assert found["holds"].values.tolist() == [False, False, True]
     assert float(found["error"][0]) == pytest.approx(0.002, rel=0.02)
     (said,) = section({"validation": found}).sentences
-    assert said.startswith("1 of 3 results agree with a known value within the tolerance.")
+    assert said.startswith("1 of 3 results agree with a known value within the tolerance of the comparison.")
     assert "beam under tension, frequency 1; beam under tension, frequency 5." in said
     (table,) = tables({"validation": found})
     assert [row[8].text for row in table.rows] == ["does not hold", "does not hold", "holds"]
