@@ -74,11 +74,11 @@ def at_rest(scene: Resolved, model: Model, mesh: Mesh) -> Arrays:
     arrays["zero_z"] = model.s.r[-1, : len(mesh.s)].copy()
     for name in set("xy").intersection(names):
         arrays["zero_" + name] = np.zeros(len(mesh.s))
+    of = layout_of(scene, mesh, None, len(model.s.dim))
+    arrays["mesh_corner"] = np.zeros(len(mesh.s))
+    arrays["mesh_corner"][corners(of)] = 1.0
     if len(model.s.dof) > len(model.s.dim):
-        of = layout_of(scene, mesh, None, len(model.s.dim))
         arrays["mesh_flexibility"] = flexibility(of)
-        arrays["mesh_corner"] = np.zeros(len(mesh.s))
-        arrays["mesh_corner"][corners(of)] = 1.0
         if scene.top.telescopic_joint:
             arrays["mesh_above_ring_static"] = _above_ring(model, record)[0]
     return arrays
@@ -147,7 +147,7 @@ def empty_record(
     first = output.start or 0.0
     count = math.floor((end - first) / output.interval * (1.0 + 1e-12) + 1e-9)
     times = first + output.interval * np.arange(count + 1)
-    bends = "mesh_corner" in arrays
+    bends = "mesh_flexibility" in arrays
     middle = curve_of(arrays).middle_weights if bends else None
     return new_record(times, of.nodes, model.s, middle, section, room)
 
@@ -162,7 +162,7 @@ def histories(arrays: Arrays, model: Model, record: Record, of: Wanted) -> Array
         envelopes[name + "_max"], envelopes[name + "_min"] = most, least
         # values interpolated between steps may exceed the peaks of the parabolas by a third-order error
         full[name] = np.clip(record.history[:, k, :], least[of.nodes], most[of.nodes])
-    if "mesh_corner" in arrays:
+    if "mesh_flexibility" in arrays:
         envelopes["mesh_moment_max"], envelopes["mesh_moment_min"] = (
             side[len(names), :-1] for side in (record.largest, record.smallest)
         )
