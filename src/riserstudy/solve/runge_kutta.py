@@ -104,17 +104,21 @@ def _inertial_power(s):
 @inner
 def _predict(s, r0, v, a, weights, i, h, ahead):
     """Predict the state of stage i by its sums, with accelerations extrapolated by the factor ``ahead``."""
-    step = h * weights[i, i]
+    # loops over nodes are the innermost ones, so that the compiler uses vector instructions
+    step, before = h * weights[i, i], max(i - 2, 0)
     for c in range(s.r.shape[0]):
         for k in range(s.r.shape[1]):
-            place, speed = r0[c, k], v[0, c, k]
-            for j in range(i):
-                place += h * weights[i, j] * v[j, c, k]
-                speed += h * weights[i, j] * a[j, c, k]
-            guess = a[i - 1, c, k] + ahead * (a[i - 1, c, k] - a[max(i - 2, 0), c, k])
+            s.r[c, k], s.v[c, k] = r0[c, k], v[0, c, k]
+        for j in range(i):
+            share = h * weights[i, j]
+            for k in range(s.r.shape[1]):
+                s.r[c, k] += share * v[j, c, k]
+                s.v[c, k] += share * a[j, c, k]
+        for k in range(s.r.shape[1]):
+            guess = a[i - 1, c, k] + ahead * (a[i - 1, c, k] - a[before, c, k])
             s.a[c, k] = guess
-            s.v[c, k] = speed + step * guess
-            s.r[c, k] = place + step * s.v[c, k]
+            s.v[c, k] += step * guess
+            s.r[c, k] += step * s.v[c, k]
 
 
 @inner
@@ -228,7 +232,9 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
             copy(v[i], s.v)
             copy(a[i], s.a)
             copy(carried[i], s.carried)
-            _powers(p, s, force, fixed, power[i])
+            # of a stage without weight in the step, only the rates of internal variables are needed
+            if weights[last, i] != 0.0 or s.internal.shape[0] > 0:
+                _powers(p, s, force, fixed, power[i])
             copy(rates[i], s.internal_rate)
         if failed:
             restore(s, before)
