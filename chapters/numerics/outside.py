@@ -34,7 +34,7 @@ from riserstudy.solve.write_down import evaluate_and_note, remember
 
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
-PATIENCE = 2.0  # CPU seconds of a Radau run: a busy machine refuses as many runs as an idle one
+PATIENCE = 1.0  # CPU seconds of a Radau run: a busy machine refuses as many runs as an idle one
 FASTEST = 10.0  # m/s; times the relative tolerance: absolute tolerance of speeds
 RADAU = "Radau"
 REACH = 4  # nodes: a bending moment acts on two on either side, ends may involve more

@@ -5,6 +5,7 @@ In addition, runs to tolerances: the tolerance, the estimated error, the true er
 
 from __future__ import annotations
 
+import math
 import statistics
 import time as clock
 from collections.abc import Callable, Iterable, Iterator
@@ -70,8 +71,9 @@ def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
         change[i] = [best.change.get(q, np.nan) for q in QUANTITIES]
         for other, values in others.items():
             opinion[i, OPINIONS.index(other)] = [values.get(q, np.nan) for q in QUANTITIES]
+        limits: dict[int, float | None] = {}
         for j, method in enumerate(methods.values()):
-            climb = Climb(file, method, ladder, best, study, setting.tier)
+            climb = Climb(file, method, ladder, best, study, setting.tier, limits)
             for k in range(len(ladder.elements)):
                 for m in range(most[1]):
                     tried = climb.rung(k, m)
@@ -132,9 +134,9 @@ def peers(study: AccuracyStudy, scenes: list[str]) -> dict[str, Any]:
 class Climb:
     """A method on the rungs of a scene, mesh by mesh, and from long to short time steps.
 
-    A step that took too long on a coarser mesh is omitted. Except in the reference tier, further steps are
-    omitted on a mesh on which a shorter step no longer changed the error. Omitted runs cannot be on the lower
-    edge of error against time.
+    After a step took too long, it and shorter ones are omitted on this mesh and on finer ones. Except in the
+    reference tier, further steps are omitted on a mesh on which a shorter step no longer changed the error.
+    Omitted runs cannot be on the lower edge of error against time.
     """
 
     def __init__(
@@ -145,30 +147,51 @@ class Climb:
         best: Reference,
         study: AccuracyStudy,
         tier: Tier,
+        limits: dict[int, float | None],
     ):
+        self.limits = limits  # stable steps (s) of explicit stepping that are known, by number of the mesh
         self.file, self.method, self.ladder, self.best = file, method, ladder, best
         self.budget, self.repeats = study.budget, study.repeats[tier]
         self.whole = tier == "reference"
         self.errors: dict[str, float] = {}
-        self._given_up: dict[int, str] = {}
+        self._given_up: tuple[float, str] = (math.inf, "")  # longest step that took too long, by number
         self._last: dict[int, float] = {}  # largest error by mesh
         self._settled: set[int] = set()  # meshes
         self._warm = False
 
     def rung(self, k: int, m: int) -> Attempt:
         """Run and time a mesh and a step; its errors are stored in ``errors``."""
-        if m in self._given_up:
-            return Attempt(None, None, f"on a coarser mesh: {self._given_up[m]}", 0.0)
+        longest, because = self._given_up
+        if m >= longest:
+            return Attempt(None, None, f"on a coarser mesh, or with a longer time step: {because}", 0.0)
         if k in self._settled:
             return Attempt(None, None, "on this mesh, a longer time step has the same error", 0.0)
-        one = rung(self.file, self.method, self.ladder, (k, m), self.budget, self.repeats, self._warm)
+        one = self._run(k, m)
         if one.refused == Outcome.TOO_LONG:
-            self._given_up[m] = one.message
+            self._given_up = (m, one.message)
         if one.result is not None:
             self._warm = True
             self.errors = self.best.errors(one.result)
             self._see(k, max(self.errors.values(), default=np.nan))
         return one
+
+    def _run(self, k: int, m: int) -> Attempt:
+        """Run one rung, timed several times; the explicit method has one step, 0.9 of its stable one."""
+        method, ladder = self.method, self.ladder
+        steps = method.tolerances or ladder.steps
+        if m >= len(steps):
+            return Attempt(None, None, "no such rung", 0.0)
+        mesh = even(whole(self.file.resolved()), ladder.elements[k])
+        own = stepped(self.file, method.set, mesh, ladder.steps[-1] if method.tolerances else steps[m])
+        step = steps[m]
+        if method.set.get("analysis.method") == EXPLICIT and not method.tolerances:
+            if m > 0:
+                return Attempt(None, None, "one step alone", 0.0)
+            if k not in self.limits:
+                self.limits[k] = attempt_limit(own, mesh)
+            limit = self.limits[k]
+            step = 0.9 * limit if limit else step
+        return timed(lambda: once(own, mesh, step, method, self.budget), self.repeats, self._warm)
 
     def _see(self, k: int, error: float) -> None:
         """Note whether shorter steps can still reduce the error on a mesh."""
@@ -176,31 +199,6 @@ class Climb:
         if not self.whole and abs(error - last) <= SETTLED * last < np.inf:
             self._settled.add(k)
         self._last[k] = error
-
-
-def rung(
-    file: SceneFile,
-    method: Method,
-    ladder: Ladder,
-    at: tuple[int, int],
-    budget: float,
-    repeats: int,
-    warm: bool,
-) -> Attempt:
-    """Run one rung, timed several times; the explicit method has one step, 0.9 of its stable one."""
-    k, m = at
-    steps = method.tolerances or ladder.steps
-    if m >= len(steps):
-        return Attempt(None, None, "no such rung", 0.0)
-    mesh = even(whole(file.resolved()), ladder.elements[k])
-    own = stepped(file, method.set, mesh, ladder.steps[-1] if method.tolerances else steps[m])
-    step = steps[m]
-    if method.set.get("analysis.method") == EXPLICIT and not method.tolerances:
-        if m > 0:
-            return Attempt(None, None, "one step alone", 0.0)
-        limit = attempt_limit(own, mesh)
-        step = 0.9 * limit if limit else step
-    return timed(lambda: once(own, mesh, step, method, budget), repeats, warm)
 
 
 def once(scene: Resolved, mesh: Mesh, step: float, method: Method, budget: float) -> Attempt:
