@@ -218,9 +218,8 @@ class OwnSetting(Strict):
 class LongCase(Strict):
     """A long simulation and its candidate meshes, steps and methods.
 
-    ``graded``: number of meshes from the series that a refinement would try. ``own``: the paper's setting;
-    absent: none. ``published_seconds``, ``target_seconds``: absent: not given. ``preview``: values set in
-    that tier; absent: not part of it.
+    ``graded``: number of meshes from the series that a refinement would try. ``published_seconds``,
+    ``target_seconds``: absent: not given. ``preview``: values set in that tier; absent: not part of it.
     """
 
     scene: str
@@ -228,7 +227,6 @@ class LongCase(Strict):
     preview: dict[str, Any] | None = None
     published_seconds: Positive | None = None
     target_seconds: Positive | None = None
-    own: OwnSetting | None = None
     methods: dict[str, dict[str, Any]]
     elements: Annotated[list[int], Field(min_length=1)]
     graded: Annotated[int, Field(ge=0)]
@@ -244,6 +242,25 @@ class LongStudy(EngineStudy):
     repeats: Annotated[int, Field(ge=1)]
     wanted: Positive
     cases: dict[str, LongCase]
+
+
+class PaperCase(Strict):
+    """A long simulation with the setting of its paper; for absent fields, see `LongCase`."""
+
+    scene: str
+    set: dict[str, Any] = Field(default_factory=dict)
+    preview: bool | None = None
+    published_seconds: Positive | None = None
+    target_seconds: Positive | None = None
+    own: OwnSetting
+
+
+class PaperStudy(EngineStudy):
+    """Long simulations with the settings of their papers, compared with the references of the long runs."""
+
+    references = "long_runs"
+
+    cases: dict[str, PaperCase]
 
 
 class EnergyCase(Strict):
@@ -304,6 +321,7 @@ MODELS: dict[str, type[EngineStudy]] = {
     "accuracy": AccuracyStudy,
     "random_scenes": RandomStudy,
     "long_runs": LongStudy,
+    "papers_settings": PaperStudy,
     "tiers": TiersStudy,
     "energy": EnergyStudy,
     "validation": ValidationStudy,

@@ -19,8 +19,9 @@ NEAR = 0.15  # share of the axis from which words are at the left of a mark
 LEAST = 1e-6  # smallest error that is drawn
 
 
-def long_runs(long_runs: xr.Dataset) -> Figure:
+def long_runs(long_runs: xr.Dataset, papers_settings: xr.Dataset) -> Figure:
     """One panel per case; uniform meshes open, graded filled, fastest run below the wanted error circled."""
+    long_runs = with_papers(long_runs, papers_settings)
     cases = list(dict.fromkeys(long_runs["case"].values.tolist()))
     candidates = list(dict.fromkeys(long_runs["candidate"].values.tolist()))
     figure, axes = panels(len(cases), 1, height=2.7)
@@ -36,6 +37,13 @@ def long_runs(long_runs: xr.Dataset) -> Figure:
     key_below(figure, axes[0], 2)
     headline(figure, answer(long_runs))
     return figure
+
+
+def with_papers(long_runs: xr.Dataset, papers_settings: xr.Dataset) -> xr.Dataset:
+    """Return the rows of both datasets; a preview runs no setting of a paper."""
+    if not papers_settings.sizes["run"]:
+        return long_runs
+    return xr.concat([papers_settings, long_runs], "run", combine_attrs="drop_conflicts")
 
 
 def _named(case: str, of: xr.Dataset) -> str:

@@ -2,7 +2,7 @@
 
 Every candidate is timed and compared with a reference: moments of the whole history, and the largest
 moment anywhere. The cheapest sufficiently accurate candidate shows what a user can achieve. The setting of
-the paper is one of the candidates.
+the paper is run in `papers_settings`.
 """
 
 from __future__ import annotations
@@ -13,12 +13,13 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
 import psutil
 
 from chapters.numerics.attempt import Attempt, attempt_on, largest
 from chapters.numerics.fixed_step import freed, stepped, whole
 from chapters.numerics.measured.accuracy import timed
-from chapters.numerics.models import LongCase, LongStudy
+from chapters.numerics.models import LongCase, LongStudy, PaperCase
 from chapters.numerics.reference.check import with_recomputed
 from chapters.numerics.reference.converge import SMOOTH, converged, none
 from chapters.numerics.reference.kept import Kept
@@ -52,8 +53,6 @@ def long_runs(study: LongStudy, setting: Setting) -> xr.Dataset:
     SimulationError
         When the reference of a case cannot be used.
     """
-    import xarray as xr
-
     cases = in_tier(study.cases, setting.tier)
     files = [scene_of(setting.config, name, case, setting.tier) for name, case in cases.items()]
     rows: list[dict[str, Any]] = []
@@ -61,14 +60,24 @@ def long_runs(study: LongStudy, setting: Setting) -> xr.Dataset:
         best = read(setting.config, STUDY, named(name, setting.tier), file.resolved())
         if best.result is None:
             raise SimulationError(f"{name}: {best.missing}")
-        rows += candidates(name, case, file, best.result, study.repeats, setting.tier)
-    dataset = xr.Dataset({key: ("run", [row[key] for row in rows]) for key in rows[0]})
-    label_variables(dataset, ABOUT)
+        rows += candidates(name, case, file, best.result, study.repeats)
+    dataset = dataset_of(rows)
     if setting.tier == "preview":  # runs are shortened, but these times are for whole runs
         for name in ("published_seconds", "target_seconds"):
             dataset[name] = dataset[name].where(False)
     dataset.attrs["load_average"] = psutil.getloadavg()[0]
     return with_recomputed(dataset, setting, study, wanted(study, setting.config))
+
+
+def dataset_of(rows: list[dict[str, Any]]) -> xr.Dataset:
+    """Return the rows of runs as a dataset, which may be empty."""
+    import xarray as xr
+
+    kinds = dict.fromkeys(TEXTS, str) | dict.fromkeys(ABOUT, float) | {"elements": int}
+    columns = {name: np.array([row[name] for row in rows], kind) for name, kind in kinds.items()}
+    dataset = xr.Dataset({name: ("run", values) for name, values in columns.items()})
+    label_variables(dataset, ABOUT)
+    return dataset
 
 
 def scene_of(config: Path, name: str, case: LongCase, tier: Tier) -> SceneFile:
@@ -78,15 +87,11 @@ def scene_of(config: Path, name: str, case: LongCase, tier: Tier) -> SceneFile:
 
 
 def candidates(
-    name: str, case: LongCase, file: SceneFile, best: Result, repeats: int, tier: Tier
+    name: str, case: LongCase, file: SceneFile, best: Result, repeats: int
 ) -> list[dict[str, Any]]:
-    """Run every candidate of a case: one row each, with the paper's setting first."""
+    """Run every candidate of a case: one row each."""
     scene = whole(file.resolved())
     rows = []
-    if case.own and tier != "preview":
-        mesh, step = even(scene, case.own.elements), case.own.step
-        tried = candidate(file, case.own.set, mesh, step, 1)
-        rows.append(row(name, case, "the paper's own", step, tried, best))
     for label, mesh in meshes(case, scene):
         for method, values in case.methods.items():
             for step in case.steps:
@@ -136,7 +141,9 @@ def solved(name: str, case: LongCase, file: SceneFile) -> Kept:
     return converged(name, file, finest.result, SMOOTH, mesh)
 
 
-def row(name: str, case: LongCase, label: str, step: float, tried: Attempt, best: Result) -> dict[str, Any]:
+def row(
+    name: str, case: LongCase | PaperCase, label: str, step: float, tried: Attempt, best: Result
+) -> dict[str, Any]:
     """Return the row of a candidate: its times and errors, or the message of its refusal."""
     numbers = {
         "case": name,
@@ -164,6 +171,7 @@ def row(name: str, case: LongCase, label: str, step: float, tried: Attempt, best
     }
 
 
+TEXTS = ("case", "candidate", "message")
 ABOUT = {
     "asked_step": ("s", "time step"),
     "elements": ("1", "segments"),

@@ -11,6 +11,7 @@ from chapters.numerics.measured import tiers as module_of_tiers
 from chapters.numerics.measured.energy import energy
 from chapters.numerics.measured.long_runs import long_runs
 from chapters.numerics.measured.long_runs import wanted as references_of_long_runs
+from chapters.numerics.measured.papers_settings import papers_settings
 from chapters.numerics.measured.random_scenes import draw as drawn
 from chapters.numerics.measured.random_scenes import random_scenes
 from chapters.numerics.measured.tiers import tiers
@@ -71,21 +72,34 @@ def test_finer_tiers_estimate_smaller_errors(monkeypatch):
 
 
 @pytest.mark.long
-def test_a_papers_own_setting_is_a_candidate_beside_ours(tmp_path):
+def test_a_papers_own_setting_is_drawn_beside_ours(tmp_path):
     case = MEASURED["long_runs"].cases["46 hours"]
-    own = case.own.replaced(step=0.01)
-    small = {"elements": [100], "graded": 1, "steps": [0.5], "own": own}
     cut = {"analysis.duration": "10 s", "analysis.output": {"interval": "0.5 s"}}
-    case = case.replaced(**small, set=cut, preview=None)
+    case = case.replaced(elements=[100], graded=1, steps=[0.5], set=cut, preview=None)
     study = MEASURED["long_runs"].replaced(cases={"46 hours": case})
     config = with_references(tmp_path, "long_runs", references_of_long_runs, study)
     found = long_runs(study, Setting(config, "standard", 2))
+    theirs = MEASURED["papers_settings"].cases["46 hours"]
+    theirs = theirs.replaced(own=theirs.own.replaced(step=0.01), set=cut)
+    study = MEASURED["papers_settings"].replaced(cases={"46 hours": theirs})
+    of_paper = papers_settings(study, Setting(config, "standard"))
+    none = papers_settings(study, Setting(config, "preview"))
+    none.to_netcdf(tmp_path / "none.nc")
+    with xr.open_dataset(tmp_path / "none.nc") as none:
+        assert none.sizes["run"] == 0
+        read = {"long_runs": found, "papers_settings": none}
+        words = draw("numerics", "long_runs", read).legends[0].get_texts()
+        assert not any("paper" in text.get_text() for text in words)
+    both = {"long_runs": found, "papers_settings": of_paper}
     labels = found["candidate"].values.tolist()
-    assert labels[0] == "the paper's own"
-    assert len(labels) == 1 + 2 * len(case.methods)
-    assert (found["wall_seconds"] > 0.0).all()
-    assert (found["error_moment"] < 1.0).all()
-    said = draw("numerics", "long_runs", {"long_runs": found}).get_suptitle()
+    assert of_paper["candidate"].values.tolist() == ["the paper's own"]
+    assert len(labels) == 2 * len(case.methods)
+    for rows in both.values():
+        assert (rows["wall_seconds"] > 0.0).all()
+        assert (rows["error_moment"] < 1.0).all()
+    figure = draw("numerics", "long_runs", both)
+    assert any("paper" in text.get_text() for text in figure.legends[0].get_texts())
+    said = figure.get_suptitle()
     assert said == "0 of 1 long runs have a setting with an error below 1 %"
     for mesh, words in (
         ("graded", "Only graded meshes reach a moment error below 1 % in long runs"),
@@ -95,7 +109,7 @@ def test_a_papers_own_setting_is_a_candidate_beside_ours(tmp_path):
         met = found.copy(deep=True)
         met["error_moment"][:] = 0.5
         met["error_moment"][good[0]] = 0.005
-        assert draw("numerics", "long_runs", {"long_runs": met}).get_suptitle() == words
+        assert draw("numerics", "long_runs", both | {"long_runs": met}).get_suptitle() == words
     assert " run of the long simulation “46 hours” " in section({"long_runs": found}).sentences[0]
 
 
