@@ -35,7 +35,7 @@ def test_each_call_has_its_share_of_the_shortest_time(seed, explicit, monkeypatc
     draw = np.random.default_rng(seed)
     steps, outputs = int(draw.integers(100, 900)), int(draw.integers(2, 90))
     iterations = 0 if explicit else int(draw.integers(1000, 9000))
-    times = draw.uniform(1.0, 2.0, effect_cost.TIMES)
+    times = draw.uniform(1.0, 2.0, effect_cost.RUNS)
     facts = {"newton_iterations": iterations, "steps": steps}
     runs = iter([Result({"time": np.zeros(outputs)}, facts | {"solve_seconds": t}) for t in times])
     monkeypatch.setattr(effect_cost, "single", lambda *_: next(runs))

@@ -22,7 +22,8 @@ from riserstudy.solve.evaluate import one_call, shape_of
 from riserstudy.solve.program import assemble
 
 REPEATED = 200  # calls in a timed program
-TIMES = 5  # repeats, of which the shortest counts
+TIMES = 5  # repeats of a program, of which the shortest counts
+RUNS = 3  # repeats of a run, of which the shortest counts
 FORCES = ("drive", "law", "turn", "string", "device")
 #: count by which a run calls each role: per force evaluation, tangent, step or output
 PER = dict.fromkeys(FORCES, "evaluations") | {
@@ -70,7 +71,7 @@ def costs(scene: Resolved, mesh: Mesh, step: float | None) -> list[Cost]:
 
 def _timed(scene: Resolved, mesh: Mesh, step: float | None) -> tuple[float, dict[str, int]]:
     """Return the shortest time of a run (s), and its numbers of evaluations by kind."""
-    results = [single(scene, mesh, step) for _ in range(TIMES)]
+    results = [single(scene, mesh, step) for _ in range(RUNS)]
     facts = results[-1].facts
     best = min(float(result.facts["solve_seconds"]) for result in results)
     iterations, steps = facts.get("newton_iterations", 0), facts.get("steps", 0)
