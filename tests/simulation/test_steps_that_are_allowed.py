@@ -64,3 +64,22 @@ def test_the_first_step_of_a_refinement_is_a_share_of_a_period_and_of_a_coupling
     steps = interval / coupled
     assert steps == pytest.approx(round(steps))
     assert round(steps) <= math.ceil(interval / alone - 1e-9)
+
+
+@pytest.mark.parametrize("ways", [["step"], ["mesh"], ["mesh", "step"], []])
+@pytest.mark.parametrize("seed", range(3))
+def test_each_coarser_run_doubles_step_or_segments_alone(seed, ways, monkeypatch):
+    draw = np.random.default_rng(seed)
+    elements, step = int(draw.integers(4, 300)), float(draw.uniform(0.01, 1.0))
+    monkeypatch.setattr(prescribed_run, "prescribed", lambda _, n: SimpleNamespace(l0=np.ones(n)))
+    monkeypatch.setattr(prescribed_run, "thinned", lambda of, _: (of, True))
+    monkeypatch.setattr(prescribed_run, "march", lambda _, mesh, step, **__: (len(mesh.l0), step))
+    watch = SimpleNamespace(begin=lambda _: None)
+    runs = prescribed_run._coarser(scene(step), elements, ways, watch)
+    now, made = (elements, step), []
+    for way, _, found in runs:
+        now = (now[0] // 2, now[1]) if way == "mesh" else (now[0], 2.0 * now[1])
+        assert found == now
+        made.append(way)
+    assert {way: made.count(way) for way in ways} == dict.fromkeys(ways, 2)
+    assert len(made) == 2 * len(ways)
