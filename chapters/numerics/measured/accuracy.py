@@ -71,9 +71,8 @@ def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
         change[i] = [best.change.get(q, np.nan) for q in QUANTITIES]
         for other, values in others.items():
             opinion[i, OPINIONS.index(other)] = [values.get(q, np.nan) for q in QUANTITIES]
-        limits: dict[int, float | None] = {}
         for j, method in enumerate(methods.values()):
-            climb = Climb(file, method, ladder, best, study, setting.tier, limits)
+            climb = Climb(file, method, ladder, best, study, setting.tier)
             for k in range(len(ladder.elements)):
                 for m in range(most[1]):
                     tried = climb.rung(k, m)
@@ -147,9 +146,7 @@ class Climb:
         best: Reference,
         study: AccuracyStudy,
         tier: Tier,
-        limits: dict[int, float | None],
     ):
-        self.limits = limits  # stable steps (s) of explicit stepping that are known, by number of the mesh
         self.file, self.method, self.ladder, self.best = file, method, ladder, best
         self.budget, self.repeats = study.budget, study.repeats[tier]
         self.whole = tier == "reference"
@@ -166,7 +163,7 @@ class Climb:
             return Attempt(None, None, f"on a coarser mesh, or with a longer time step: {because}", 0.0)
         if k in self._settled:
             return Attempt(None, None, "on this mesh, a longer time step has the same error", 0.0)
-        one = self._run(k, m)
+        one = rung(self.file, self.method, self.ladder, (k, m), self.budget, self.repeats, self._warm)
         if one.refused == Outcome.TOO_LONG:
             self._given_up = (m, one.message)
         if one.result is not None:
@@ -175,30 +172,37 @@ class Climb:
             self._see(k, max(self.errors.values(), default=np.nan))
         return one
 
-    def _run(self, k: int, m: int) -> Attempt:
-        """Run one rung, timed several times; the explicit method has one step, 0.9 of its stable one."""
-        method, ladder = self.method, self.ladder
-        steps = method.tolerances or ladder.steps
-        if m >= len(steps):
-            return Attempt(None, None, "no such rung", 0.0)
-        mesh = even(whole(self.file.resolved()), ladder.elements[k])
-        own = stepped(self.file, method.set, mesh, ladder.steps[-1] if method.tolerances else steps[m])
-        step = steps[m]
-        if method.set.get("analysis.method") == EXPLICIT and not method.tolerances:
-            if m > 0:
-                return Attempt(None, None, "one step alone", 0.0)
-            if k not in self.limits:
-                self.limits[k] = attempt_limit(own, mesh)
-            limit = self.limits[k]
-            step = 0.9 * limit if limit else step
-        return timed(lambda: once(own, mesh, step, method, self.budget), self.repeats, self._warm)
-
     def _see(self, k: int, error: float) -> None:
         """Note whether shorter steps can still reduce the error on a mesh."""
         last = self._last.get(k, np.inf)
         if not self.whole and abs(error - last) <= SETTLED * last < np.inf:
             self._settled.add(k)
         self._last[k] = error
+
+
+def rung(
+    file: SceneFile,
+    method: Method,
+    ladder: Ladder,
+    at: tuple[int, int],
+    budget: float,
+    repeats: int,
+    warm: bool,
+) -> Attempt:
+    """Run one rung, timed several times; the explicit method has one step, 0.9 of its stable one."""
+    k, m = at
+    steps = method.tolerances or ladder.steps
+    if m >= len(steps):
+        return Attempt(None, None, "no such rung", 0.0)
+    mesh = even(whole(file.resolved()), ladder.elements[k])
+    own = stepped(file, method.set, mesh, ladder.steps[-1] if method.tolerances else steps[m])
+    step = steps[m]
+    if method.set.get("analysis.method") == EXPLICIT and not method.tolerances:
+        if m > 0:
+            return Attempt(None, None, "one step alone", 0.0)
+        limit = attempt_limit(own, mesh)
+        step = 0.9 * limit if limit else step
+    return timed(lambda: once(own, mesh, step, method, budget), repeats, warm)
 
 
 def once(scene: Resolved, mesh: Mesh, step: float, method: Method, budget: float) -> Attempt:

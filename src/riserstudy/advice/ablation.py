@@ -190,7 +190,7 @@ def laid(scene: Resolved, mesh: Mesh) -> Mesh:
 
 def brief(scene: Resolved, step: float | None) -> Resolved:
     """Return the first steps of a scene, which load its kernels; all of it if later steps need others."""
-    if step is None or scene.analysis.output is None or scene.events or scene.vessel:
+    if step is None or scene.analysis.output is None or is_whole(scene) or scene.vessel:
         return scene
     output = scene.analysis.output.replaced(start=None, interval=FEW * step)
     return scene.replaced(analysis=scene.analysis.replaced(duration=FEW * step, output=output))

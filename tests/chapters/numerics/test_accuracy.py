@@ -149,22 +149,24 @@ def test_the_title_of_cost_has_the_largest_ratio_of_times():
     assert found == "A tolerance 20 times finer takes up to 3 times as long"
 
 
-def test_what_took_too_long_is_not_tried_on_finer_meshes(monkeypatch):
+@pytest.mark.parametrize("slow, few", [(0, [(0, 0)]), (1, [(0, 0), (0, 1), (1, 0)])])
+def test_what_took_too_long_is_not_tried_with_shorter_steps_or_on_finer_meshes(monkeypatch, slow, few):
     tried = []
 
     def rung(file, method, ladder, at, budget, repeats, warm):
         tried.append(at)
-        late = at == (0, 1)
+        late = at == (0, slow)
         return Attempt(None, Outcome.TOO_LONG if late else Outcome.REFUSED, "late" if late else "no", 0.0)
 
     ladder = STUDY.scenes["S2c"].replaced(elements=[8, 16], steps=[0.8, 0.4])
-    few = {"scenes": {"S2c": ladder}, "methods": {"only": STUDY.methods["ESDIRK4"]}}
+    one = {"scenes": {"S2c": ladder}, "methods": {"only": STUDY.methods["ESDIRK4"]}}
     monkeypatch.setattr(module, "rung", rung)
     monkeypatch.setattr(module, "reference", lambda *_: stored(HISTORY))
     monkeypatch.setattr(module, "requests", lambda *_: [])
-    found = accuracy(STUDY.replaced(**few), Setting(CONFIG, "standard"))
-    assert tried == [(0, 0), (0, 1), (1, 0)]
-    assert str(found["message"].squeeze().values[1, 1]) == "on a coarser mesh: late"
+    found = accuracy(STUDY.replaced(**one), Setting(CONFIG, "standard"))
+    assert tried == few
+    words = "on a coarser mesh, or with a longer time step: late"
+    assert str(found["message"].squeeze().values[1, 1]) == words
 
 
 def test_on_a_mesh_that_shorter_steps_do_not_help_they_are_not_tried(monkeypatch):
