@@ -113,10 +113,10 @@ class EffectsStudy(EngineStudy):
 
     ``repeats``: rounds of runs, of which the shortest time counts. ``budget``: largest number of node-steps
     of a scene; longer scenes are shortened. ``left_out``: changes that a tier omits. ``scenes``: scenes with
-    effects that no other chapter has. Absent: none.
+    effects that no other chapter has. Absent: none. Other jobs may run at the same time, because a time is
+    compared only with times of the same scene, which one process runs within seconds.
     """
 
-    timed = True
     cases_in = "scenes"
 
     repeats: dict[Tier, Annotated[int, Field(ge=1)]]

@@ -42,7 +42,7 @@ def effects(study: EffectsStudy, setting: Setting) -> xr.Dataset:
     """Run every applicable change of every kind of scene of the chapters, and of the study's own scenes.
 
     As many scenes run in parallel as there are threads. The compared runs, which are the changes of one
-    scene, run in sequence in one process; no other job of the workflow runs.
+    scene, run in sequence in one process, since other scenes or jobs run at the same time.
 
     Raises
     ------
