@@ -12,6 +12,7 @@ from chapters.numerics.figures.methods import look_of
 from riserstudy.figures.style import headline, key_below, log_ticks, panel_title, panels
 
 WANTED = 0.01  # wanted error of the moment
+IN_WAVES = "46 hours"  # case that is named by the run time of its paper
 OWN = "the paper's own"  # candidate with the settings of a paper
 EVEN = "even"  # uniform meshes of the candidates
 METHODS = {"gen.-alpha 0.8": "generalised-alpha"}  # in the key
@@ -47,10 +48,15 @@ def with_papers(long_runs: xr.Dataset, papers_settings: xr.Dataset) -> xr.Datase
 
 
 def _named(case: str, of: xr.Dataset) -> str:
-    """Name of a case; a case is often named by the time that a paper's run took, or by the simulated time."""
+    """Name of a case; a case is named by the time that a paper's run took, or by the simulated time.
+
+    A preview simulates a part of the time, with which the run time of the paper cannot be compared.
+    """
     published = float(of["published_seconds"][0])
     if np.isfinite(published):
         return f"riser in waves; the paper states a run time of {published / 3600:.0f} h"
+    if case == IN_WAVES:
+        return "riser in waves, for a part of the simulated time of the paper"
     return f"simulated time of {case.replace(' in space', ', in three dimensions')}"
 
 
