@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 CHANGES = ("displacement_change", "moment_change", "tension_change")
 QUANTITIES = ("displacement", "moment", "tension")
 TOLERANCE = 0.01  # relative change of an answer, or error, that matters
+OWN = "the paper's own"  # candidate of the long runs with the setting of their paper
 COMPARED = 0.002  # relative error at which codes are compared
 STEP_FOUND = 0.6  # error (%) of measured stable steps, which are found by bisection
 SURE = 1.96  # standard deviations of a 95 % interval

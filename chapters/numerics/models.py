@@ -245,13 +245,11 @@ class LongStudy(EngineStudy):
 
 
 class PaperCase(Strict):
-    """A long simulation with the setting of its paper; for absent fields, see `LongCase`."""
+    """A long simulation with the setting of its paper. Absent preview: not part of that tier."""
 
     scene: str
     set: dict[str, Any] = Field(default_factory=dict)
     preview: bool | None = None
-    published_seconds: Positive | None = None
-    target_seconds: Positive | None = None
     own: OwnSetting
 
 

@@ -8,12 +8,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
+from chapters.numerics.answers import OWN
 from chapters.numerics.figures.methods import look_of
 from riserstudy.figures.style import headline, key_below, log_ticks, panel_title, panels
 
 WANTED = 0.01  # wanted error of the moment
 IN_WAVES = "46 hours"  # case that is named by the run time of its paper
-OWN = "the paper's own"  # candidate with the settings of a paper
 EVEN = "even"  # uniform meshes of the candidates
 METHODS = {"gen.-alpha 0.8": "generalised-alpha"}  # in the key
 NEAR = 0.15  # share of the axis from which words are at the left of a mark
@@ -22,7 +22,7 @@ LEAST = 1e-6  # smallest error that is drawn
 
 def long_runs(long_runs: xr.Dataset, papers_settings: xr.Dataset) -> Figure:
     """One panel per case; uniform meshes open, graded filled, fastest run below the wanted error circled."""
-    long_runs = with_papers(long_runs, papers_settings)
+    long_runs = xr.concat([papers_settings, long_runs], "run", combine_attrs="drop")
     cases = list(dict.fromkeys(long_runs["case"].values.tolist()))
     candidates = list(dict.fromkeys(long_runs["candidate"].values.tolist()))
     figure, axes = panels(len(cases), 1, height=2.7)
@@ -40,19 +40,12 @@ def long_runs(long_runs: xr.Dataset, papers_settings: xr.Dataset) -> Figure:
     return figure
 
 
-def with_papers(long_runs: xr.Dataset, papers_settings: xr.Dataset) -> xr.Dataset:
-    """Return the rows of both datasets; a preview runs no setting of a paper."""
-    if not papers_settings.sizes["run"]:
-        return long_runs
-    return xr.concat([papers_settings, long_runs], "run", combine_attrs="drop_conflicts")
-
-
 def _named(case: str, of: xr.Dataset) -> str:
     """Name of a case; a case is named by the time that a paper's run took, or by the simulated time.
 
     A preview simulates a part of the time, with which the run time of the paper cannot be compared.
     """
-    published = float(of["published_seconds"][0])
+    published = float(of["published_seconds"].max())
     if np.isfinite(published):
         return f"riser in waves; the paper states a run time of {published / 3600:.0f} h"
     if case == IN_WAVES:
@@ -89,7 +82,7 @@ def _panel(ax: Axes, of: xr.Dataset, candidates: list[str]) -> None:
             of["cpu_seconds"].values[here], error[here], mark, ms=7 if label == OWN else 4.5, color=colour,
             markerfacecolor="none" if mesh == EVEN else colour, label=_in_words(method, mesh),
         )  # fmt: skip
-    target = float(of["target_seconds"][0])
+    target = float(of["target_seconds"].max())
     if np.isfinite(target):
         ax.axvline(target, color="black", linestyle=":", linewidth=1.0, label="target time")
     ax.axhline(WANTED, color="0.5", linewidth=0.8, label=f"{100 * WANTED:g} %, the default tolerance")

@@ -19,16 +19,15 @@ import psutil
 from chapters.numerics.attempt import Attempt, attempt_on, largest
 from chapters.numerics.fixed_step import freed, stepped, whole
 from chapters.numerics.measured.accuracy import timed
-from chapters.numerics.models import LongCase, LongStudy, PaperCase
+from chapters.numerics.models import LongCase, LongStudy
 from chapters.numerics.reference.check import with_recomputed
 from chapters.numerics.reference.converge import SMOOTH, converged, none
 from chapters.numerics.reference.kept import Kept
-from chapters.numerics.reference.store import Wanted, read
+from chapters.numerics.reference.store import Wanted, solution
 from chapters.numerics.references import by_run
 from chapters.numerics.scenes import in_tier
 from riserstudy.dataset.describe import label_variables
 from riserstudy.dataset.result import Result
-from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
@@ -57,10 +56,8 @@ def long_runs(study: LongStudy, setting: Setting) -> xr.Dataset:
     files = [scene_of(setting.config, name, case, setting.tier) for name, case in cases.items()]
     rows: list[dict[str, Any]] = []
     for (name, case), file in zip(cases.items(), files, strict=True):
-        best = read(setting.config, STUDY, named(name, setting.tier), file.resolved())
-        if best.result is None:
-            raise SimulationError(f"{name}: {best.missing}")
-        rows += candidates(name, case, file, best.result, study.repeats)
+        best = solution(setting.config, STUDY, named(name, setting.tier), file.resolved())
+        rows += candidates(name, case, file, best, study.repeats)
     dataset = dataset_of(rows)
     if setting.tier == "preview":  # runs are shortened, but these times are for whole runs
         for name in ("published_seconds", "target_seconds"):
@@ -70,12 +67,12 @@ def long_runs(study: LongStudy, setting: Setting) -> xr.Dataset:
 
 
 def dataset_of(rows: list[dict[str, Any]]) -> xr.Dataset:
-    """Return the rows of runs as a dataset, which may be empty."""
+    """Return the rows of runs as a dataset, which may be empty; numbers that no row has are NaN."""
     import xarray as xr
 
     kinds = dict.fromkeys(TEXTS, str) | dict.fromkeys(ABOUT, float) | {"elements": int}
-    columns = {name: np.array([row[name] for row in rows], kind) for name, kind in kinds.items()}
-    dataset = xr.Dataset({name: ("run", values) for name, values in columns.items()})
+    columns = {name: [row.get(name, math.nan) for row in rows] for name in kinds}
+    dataset = xr.Dataset({name: ("run", np.array(columns[name], kind)) for name, kind in kinds.items()})
     label_variables(dataset, ABOUT)
     return dataset
 
@@ -91,12 +88,13 @@ def candidates(
 ) -> list[dict[str, Any]]:
     """Run every candidate of a case: one row each."""
     scene = whole(file.resolved())
+    known = {"published_seconds": case.published_seconds, "target_seconds": case.target_seconds}
     rows = []
     for label, mesh in meshes(case, scene):
         for method, values in case.methods.items():
             for step in case.steps:
                 tried = candidate(file, values, mesh, step, repeats)
-                rows.append(row(name, case, f"{method}, {label}", step, tried, best))
+                rows.append(row(name, f"{method}, {label}", step, tried, best) | known)
     return rows
 
 
@@ -141,17 +139,13 @@ def solved(name: str, case: LongCase, file: SceneFile) -> Kept:
     return converged(name, file, finest.result, SMOOTH, mesh)
 
 
-def row(
-    name: str, case: LongCase | PaperCase, label: str, step: float, tried: Attempt, best: Result
-) -> dict[str, Any]:
+def row(name: str, label: str, step: float, tried: Attempt, best: Result) -> dict[str, Any]:
     """Return the row of a candidate: its times and errors, or the message of its refusal."""
     numbers = {
         "case": name,
         "candidate": label,
         "asked_step": step,
         "message": tried.message,
-        "published_seconds": case.published_seconds or math.nan,
-        "target_seconds": case.target_seconds or math.nan,
         "elements": 0,
         "wall_seconds": math.nan,
         "cpu_seconds": math.nan,

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from chapters.numerics.answers import OWN
 from chapters.numerics.fixed_step import freed, whole
 from chapters.numerics.measured.long_runs import STUDY, candidate, dataset_of, row
 from chapters.numerics.models import PaperStudy
-from chapters.numerics.reference.store import read
+from chapters.numerics.reference.store import solution
 from chapters.numerics.scenes import in_tier
-from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import even
 from riserstudy.study.measured import Setting
 
@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
 WHERE = "config/studies/numerics.yaml: measured.papers_settings"
-OWN = "the paper's own"  # name of the candidate
 
 
 def papers_settings(study: PaperStudy, setting: Setting) -> xr.Dataset:
@@ -35,10 +34,8 @@ def papers_settings(study: PaperStudy, setting: Setting) -> xr.Dataset:
     rows = []
     for name, case in in_tier(study.cases, setting.tier).items():
         file = freed(setting.config / case.scene, case.set, f"{WHERE}: {name}")
-        best = read(setting.config, STUDY, name, file.resolved())
-        if best.result is None:
-            raise SimulationError(f"{name}: {best.missing}")
+        best = solution(setting.config, STUDY, name, file.resolved())
         mesh = even(whole(file.resolved()), case.own.elements)
         tried = candidate(file, case.own.set, mesh, case.own.step, 1)
-        rows.append(row(name, case, OWN, case.own.step, tried, best.result))
+        rows.append(row(name, OWN, case.own.step, tried, best))
     return dataset_of(rows)

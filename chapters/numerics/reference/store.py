@@ -9,6 +9,7 @@ from typing import NamedTuple
 from chapters.numerics.reference.folder import path_of
 from chapters.numerics.reference.identity import PHYSICS, scene_digest
 from chapters.numerics.reference.kept import Damaged, Kept, packed, unpacked
+from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.folders import write_whole
 from riserstudy.scene.load import SceneFile
@@ -55,6 +56,20 @@ def read(config: Path, study: str, case: str, scene: Resolved) -> Kept:
             f"{path}: '{case}' was solved with physics {kept.physics}, the engine has {PHYSICS}. {REMEDY}"
         )
     return kept
+
+
+def solution(config: Path, study: str, case: str, scene: Resolved) -> Result:
+    """Read the stored reference solution of a case that cannot do without one; arguments as in `read`.
+
+    Raises
+    ------
+    SimulationError
+        When there is none, or it cannot be used.
+    """
+    kept = read(config, study, case, scene)
+    if kept.result is None:
+        raise SimulationError(f"{case}: {kept.missing}")
+    return kept.result
 
 
 def write(config: Path, study: str, kept: Kept) -> Path:
