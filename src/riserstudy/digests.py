@@ -78,16 +78,14 @@ def dependencies(module: str) -> frozenset[Path]:
 
 @cache
 def _dependencies(module: str, _roots: tuple[Path, ...]) -> frozenset[Path]:
-    seen: set[str] = set()
     files: set[Path] = set()
     left = [(module, False)]
     met = {*left}  # thousands of names are imported again and again
     while left:
         name, of_chapter = left.pop()
         file = source_of(name) or (_source_in_study(name) if of_chapter else None)
-        if file is None or name in seen:
+        if file is None:
             continue
-        seen.add(name)
         files |= {file, *data_of(file)}
         own = not file.is_relative_to(PACKAGE)
         others = {(other, own) for other in (*imported_by(name, file), _above(name))} - met
