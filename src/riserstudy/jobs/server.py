@@ -43,7 +43,7 @@ LOADED = (
     "riserstudy.jobs.tasks",
     "riserstudy.jobs.workplan",
 )
-# takes a second, and a single figure does not need it
+# which take a second, and which a single figure does not need
 WHEN_IDLE = ("riserstudy.study.join", "riserstudy.grading.grade")
 MANY = 8  # number of jobs from which it pays to load modules that may not be needed
 
