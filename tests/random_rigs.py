@@ -157,6 +157,18 @@ def timed(duration: float, step: float, elements: int, interval: float) -> dict[
     }
 
 
+HIGHEST = 0.26  # frequency of the lift of vortices (1)
+VIV = {"model": "synchronisation", "coefficient": 1.2, "memory": 20.0, "seed": 3}
+VIV |= {"frequencies": [0.11, 0.18, HIGHEST]}
+
+
+def shed_vortices(tree: dict[str, Any], ramp: float = 10.0) -> dict[str, Any]:
+    """The same rig, whose sections all shed vortices after a ramp (s)."""
+    for section in tree["riser"]:
+        section["viv"] = VIV | {"diameter": section["drag"]["diameter"], "ramp": ramp}
+    return tree
+
+
 UNITS = {
     "gravity": "m/s^2",
     "density": "kg/m^3",

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from random_rigs import rig, written
+from random_rigs import HIGHEST, rig, shed_vortices, timed, written
 from scipy.interpolate import CubicSpline
 
 from riserstudy.model.layout import unstretched
@@ -18,25 +18,20 @@ STILL = {"roll": 0.1, "pitch": 0.1, "yaw": 1.0}  # largest tilts of a platform a
 SMALL = 0.04  # rad, largest amplitude of tilts: their levers are then close to those at rest
 TIMES = np.arange(0.0, 6000.0, 0.1)  # s
 GRAVITY = 9.80665
-HIGHEST = 0.26  # frequency of the lift (1)
-VIV = {"model": "synchronisation", "coefficient": 1.2, "memory": 20.0, "seed": 3, "ramp": 10.0}
-VIV |= {"frequencies": [0.11, 0.18, HIGHEST]}
 
 
 def standing(seed, kind):
     """A rig on inclined tensioners beside the platform's centre of rotation, and the names of its motions."""
     draw = np.random.default_rng((seed, len(kind)))
     spatial = bool(seed % 2)
-    tree = rig(seed, spatial=spatial, conductor=False)
-    for section in tree["riser"]:
-        section["viv"] = VIV | {"diameter": section["drag"]["diameter"]}
+    tree = shed_vortices(rig(seed, spatial=spatial, conductor=False))
     tree["top"]["offset"] = float(draw.uniform(-20.0, 20.0))
     x, y, z = draw.uniform([-20.0, -20.0, -20.0], [20.0, 20.0, 5.0]).tolist()
     tree["platform"]["centre_of_rotation"] = {"x": x, "y": y * spatial, "elevation": z}
     names = draw.permutation(MOTIONS if spatial else IN_PLANE)
     tilts = [name for name in (MOTIONS if spatial else IN_PLANE) if name in STILL and kind != "response"]
     tree["platform"]["position"] |= {name: STILL[name] * float(draw.uniform(-1.0, 1.0)) for name in tilts}
-    tree["analysis"] = {"duration": 60.0, "step": 0.1, "mesh": {"elements": 40}, "output": {"interval": 0.1}}
+    tree["analysis"] = timed(60.0, 0.1, 40, 0.1)
     return tree, names[: draw.integers(1, len(names) + 1)].tolist(), draw
 
 

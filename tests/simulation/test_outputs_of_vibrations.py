@@ -4,7 +4,7 @@ import copy
 
 import numpy as np
 import pytest
-from random_rigs import rig, written
+from random_rigs import rig, shed_vortices, timed, written
 from short_riser import SCENE
 
 from riserstudy.model.vortices import shortest_shedding_period
@@ -15,8 +15,6 @@ from riserstudy.simulation.vortex_vibration import enter
 STATISTICS = ("vibration_rms", "vibration_rms_max", "vibration_frequency")
 DENSER = 10  # factor of the denser outputs
 STEP = 0.05  # s
-VIV = {"model": "synchronisation", "coefficient": 1.2, "memory": 20.0, "seed": 3}
-VIV |= {"frequencies": [0.11, 0.18, 0.26], "ramp": 10.0}
 KINDS = ("wave", "wave and slow current", "tow", "tow in waves")
 
 
@@ -75,15 +73,13 @@ def test_statistics_of_coarse_outputs_are_right_or_absent(kind, seed):
 def test_statistics_of_coarse_outputs_on_inclined_tensioners_are_right_or_absent(seed):
     """Rigs in a slow current, in waves or below a surging platform, at rest in a plane or with a sway."""
     draw = np.random.default_rng((seed, 5))
-    tree = rig(seed, spatial=bool(seed % 2), conductor=False)
-    for section in tree["riser"]:
-        section["viv"] = VIV | {"diameter": section["drag"]["diameter"]}
+    tree = shed_vortices(rig(seed, spatial=bool(seed % 2), conductor=False))
     tree["current"]["profile"]["surface_speed"] = float(draw.uniform(0.02, 0.1))
     motion = {"amplitude": float(draw.uniform(1.0, 3.0)), "period": float(draw.uniform(9.0, 14.0))}
     if seed % 4 < 2:
         tree["wave"] = motion | {"above_mean_level": "none"}
     else:
         tree["platform"]["surge"] = motion | {"ramp": 20.0}
-    analysis = {"duration": 240.0, "step": STEP, "mesh": {"elements": 60}, "output": {"interval": STEP}}
-    scene = SceneFile("rig.yaml", written(tree | {"analysis": analysis})).resolved()
+    tree["analysis"] = timed(240.0, STEP, 60, STEP)
+    scene = SceneFile("rig.yaml", written(tree)).resolved()
     compare_outputs(scene, seed, [shortest_shedding_period(scene), motion["period"]])

@@ -4,7 +4,7 @@ import copy
 
 import numpy as np
 import pytest
-from random_rigs import rig, timed, written
+from random_rigs import HIGHEST, rig, shed_vortices, timed, written
 
 from riserstudy.model.vortices import shortest_shedding_period
 from riserstudy.scene.load import SceneFile
@@ -12,9 +12,7 @@ from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import march
 from riserstudy.simulation.starting_mesh import coarsest_mesh, period
 
-HIGHEST = 0.26  # frequency of the lift (1)
-VIV = {"model": "synchronisation", "coefficient": 1.2, "memory": 20.0, "seed": 3, "ramp": 20.0}
-VIV |= {"frequencies": [0.11, 0.18, HIGHEST]}
+RAMP = 20.0  # s, of the vortices
 DEEPEST = 700.0  # m; deeper risers have modes of similar frequencies, and runs differ by chance
 DRIFT = 2e6  # N
 HEADING = {"heading": "rad"}
@@ -25,8 +23,7 @@ def shallow(seed, draw):
     spatial = bool(seed % 2)
     rigs = (rig(k, spatial=spatial, conductor=False) for k in range(seed, seed + 2000, 97))
     tree = next(tree for tree in rigs if tree["water"]["seabed"] > -DEEPEST)
-    for section in tree["riser"]:
-        section["viv"] = VIV | {"diameter": section["drag"]["diameter"]}
+    shed_vortices(tree, RAMP)
     tree["current"]["profile"]["surface_speed"] = float(draw.uniform(0.03, 0.1))
     return tree, float(draw.uniform(0.0, 6.0)) if spatial else np.pi
 
@@ -87,9 +84,7 @@ def test_a_step_too_long_for_the_drift_of_a_run_is_warned_of(seed):
 def test_a_section_through_the_surface_has_the_vortices_of_its_part_below(seed):
     """Short waves move the water only close to the surface."""
     draw = np.random.default_rng((seed, 79))
-    tree = rig(seed, conductor=False)
-    for section in tree["riser"]:
-        section["viv"] = VIV | {"diameter": section["drag"]["diameter"]}
+    tree = shed_vortices(rig(seed, conductor=False), RAMP)
     tree["wave"] = {"amplitude": 1.0, "period": float(draw.uniform(4.0, 10.0)), "above_mean_level": "none"}
     tree["analysis"] = timed(60.0, 0.1, 40, 0.2)
     last = tree["riser"][-1]
