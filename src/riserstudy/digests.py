@@ -11,6 +11,7 @@ import ast
 import hashlib
 from collections.abc import Iterable, Iterator
 from functools import cache
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -22,6 +23,8 @@ from riserstudy.syntax import meaning
 #: the current folder that chapters import count, too
 ROOTS = {"riserstudy": PACKAGE, "chapters": Path("chapters")}
 ENGINE = "riserstudy.simulation.refine"  # module that simulates
+#: libraries whose versions may change simulated numbers
+LIBRARIES = ("fatpack", "llvmlite", "numba", "numpy", "pint", "scipy", "wavespectra")
 KEPT = "sources"  # name in the cache: facts about sources, by hash of their content
 MOST_KEPT = 10_000
 
@@ -64,8 +67,9 @@ def kernel_digest() -> str:
 
 @cache
 def engine_digest() -> str:
-    """Digest of all sources that a simulated number depends on."""
-    return digest(dependencies(ENGINE))
+    """Digest of all sources and library versions that a simulated number depends on, 16 hex digits."""
+    versions = " ".join(f"{name} {version(name)}" for name in LIBRARIES)
+    return _hash(f"{digest(dependencies(ENGINE))} {versions}".encode())[:16]
 
 
 # Dependencies of a module
