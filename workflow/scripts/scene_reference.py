@@ -21,21 +21,22 @@ HEAD = """\
 
 <!-- Written by workflow/scripts/make_reference.py from the models; edits here are lost. -->
 
-A scene is a YAML file that describes one riser, its supports, its motions and its surroundings.
-**The engine simulates only what the scene contains**, and no value has a default that changes the physics.
-The command `riserstudy effects SCENE.yaml` lists the effects (physical mechanisms) of a scene, and the line
-of the scene that includes each effect.
+A scene is a YAML file that describes one riser, its supports, its motions and its surroundings. **The engine
+simulates only what the scene contains**, and no value has a default that changes the physics. The command
+`riserstudy effects SCENE.yaml` lists the effects (physical mechanisms) of a scene file, and the line of the
+file that includes each effect.
 
-Write each value with the unit of its source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`. The engine
-converts all values to SI units. The section [Units](#units) lists the names of units. The engine refuses a
-number without a unit where a unit is required. A rotational stiffness must have `/deg` or `/rad` in its unit,
-and a pressure `absolute` or `gauge` after its unit. The engine also refuses `t` (tonne) as a force; write
-`tf`. Elevations increase upwards from one datum of your choice. Arclengths start at the lower end of the
-riser.
+In a scene file, write each value with the unit of its source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`.
+The engine (simulation program) converts all values of a scene file to SI units. The section [Units](#units)
+lists the unit names that a scene file can contain. The engine refuses a scene value without a unit if a unit
+is required. In a scene file, a rotational stiffness must have `/deg` or `/rad` in its unit, and a pressure
+`absolute` or `gauge` after its unit. In a scene file, `t` (tonne) is a unit of mass; for a force, write
+`tf`. The elevations in a scene file increase upwards from one datum of your choice. Arclengths along the
+riser start at its lower end.
 
-Every value has an origin, which states where the value comes from. A value without a stated origin is
-*published* if the scene has the key `paper`, and *given* otherwise. Any other origin is written together with
-the value, as in these examples:
+Every value of a scene has an origin, which states where the value comes from. A scene value without a stated
+origin is *published* if the scene has the key `paper`, and *given* otherwise. Any other origin is written
+together with the value, as in these examples of scene values:
 
 ```yaml
 count: {assumed: 6, options: [6, 7], because: "six make the pull that the paper states"}
@@ -45,16 +46,16 @@ added_mass: {derived: 1198 kg/m, from: "Ca rho pi D^2/4"}
 interval: {chosen: 0.1 s, because: "output interval of the run"}
 ```
 
-An *assumed* value is not known; a `range` or `options` can give other possible values. A study can vary all
-*assumed* values with a `range` or `options` together. A *calibrated* value was fitted to a published number.
-A *derived* value was computed from other values. A *chosen* value does not describe the riser; examples are
-the datum of elevations and the output interval. The list `inputs` of a file in `config/published` contains
-the values that a paper prints. In a scene of this paper, every value without a stated origin must be in this
-list.
+An *assumed* value of a scene is not known; a `range` or `options` can give other possible values. A study (a
+set of simulations) can vary all *assumed* values with a `range` or `options` together. A *calibrated* value
+of a scene was fitted to a published number. A *derived* value of a scene was computed from other values. A
+*chosen* value of a scene does not describe the riser; examples are the datum of elevations and the output
+interval. The list `inputs` of a file in `config/published` contains the values that a paper prints. In the
+scene of a paper, every value without a stated origin must be in this list `inputs`.
 
-You can give a table as a CSV file next to the scene, for example `profile: {file: current.csv}`. The first
-line of the CSV file gives the names of the columns with their units, in any order. The following keys accept
-a CSV file with these columns:
+You can give a table of scene values as a CSV file next to the scene file, for example `profile: {file:
+current.csv}`. The first line of such a CSV file gives the names of the columns with their units, in any
+order. The following keys of a scene accept a CSV file with these columns:
 
 %s
 
@@ -62,9 +63,9 @@ In the table of response amplitude operators (`operators`), each motion can have
 phase, for example `heave_phase`.
 
 Editors that support JSON schema can complete and check scene files. The command `riserstudy schema` prints
-the schema, [`scene.schema.json`](../workflow/schemas/scene.schema.json). To use the schema, write the
-following comment in the first line of a scene. The path in this comment is relative to the folder of the
-scene:
+the JSON schema of scene files, [`scene.schema.json`](../workflow/schemas/scene.schema.json). To use this
+JSON schema in an editor, write the following comment in the first line of a scene file. The path in this
+comment is relative to the folder of the scene file:
 
 ```yaml
 # yaml-language-server: $schema=../../../workflow/schemas/scene.schema.json
@@ -95,11 +96,12 @@ def _named(columns: tuple[str, ...]) -> str:
 UNITS = """\
 ## Units
 
-A unit is a product or a quotient of names, with powers: `kN*m/deg`, `lb/ft`, `m^2`. The table lists the usual
-names by SI unit. Other unit names of the Python library pint are accepted, too. A pressure requires the word
-`absolute` or `gauge` after its unit; moduli and stresses do not. `t` is a tonne, `short_ton` is 2000 lb, and
-`gal` is a US gallon. A barrel (`bbl`) is 42 US gallons. `lb` is a mass; `lbf`, `kip` and `tf` are forces. The
-engine refuses `ton`, because it can mean 1000 kg, 2000 lb or 2240 lb.
+A unit in a scene file is a product or a quotient of names, with powers: `kN*m/deg`, `lb/ft`, `m^2`. The
+following table lists the usual names of units by SI unit. A scene file can also contain other unit names of
+the Python library pint. A pressure in a scene file requires the word `absolute` or `gauge` after its unit;
+moduli and stresses do not. The unit `t` is a tonne, `short_ton` is 2000 lb, and `gal` is a US gallon. The
+unit `bbl` (barrel) is 42 US gallons. The unit `lb` is a mass; `lbf`, `kip` and `tf` are forces. The engine
+refuses the unit `ton`, because it can mean 1000 kg, 2000 lb or 2240 lb.
 
 | SI unit | names |
 |---|---|

@@ -16,12 +16,13 @@ from riserstudy.scene.tensioners_by_weight import Carried, DampingRatio
 
 
 class Chamber(Strict):
-    """Gas on one side of a piston: the area on which it acts, and its state at mid-stroke.
+    """Gas on one side of a tensioner piston: the area on which it acts, and its state at mid-stroke.
 
-    If ``pressure`` is a gauge pressure, the engine converts it to an absolute pressure. ``outside`` is the
-    external pressure, which acts on ``area`` against the gas. If ``pressure`` is a gauge pressure,
-    ``outside`` is the atmospheric pressure by default. If ``pressure`` is absolute, ``outside`` is zero by
-    default, because some published formulas for the tensioner force neglect the external pressure.
+    If the ``pressure`` of a gas chamber is a gauge pressure, the engine converts it to an absolute pressure.
+    The key ``outside`` of a gas chamber is the external pressure, which acts on ``area`` against the gas. If
+    the ``pressure`` of a gas chamber is a gauge pressure, ``outside`` is the atmospheric pressure by
+    default. If the ``pressure`` of a gas chamber is absolute, ``outside`` is zero by default, because some
+    published tensioner formulas neglect the external pressure.
     """
 
     area: Annotated[u.Area, POSITIVE]
@@ -45,17 +46,19 @@ class Chamber(Strict):
 class Gas(Chamber):
     """One gas chamber per cylinder, with the pull F = A P (V / (V - A reach))^k - A outside.
 
-    In the formula of the pull F, A is the area, k the exponent, and P and V are pressure and volume at
-    mid-stroke. ``reach`` is the extension from mid-stroke, and ``outside`` is the external pressure.
+    In the formula of the cylinder's pull F, A is the area, k the exponent, and P and V are pressure and
+    volume at mid-stroke. In this formula, ``reach`` is the cylinder's extension from mid-stroke, and
+    ``outside`` is the external pressure.
     """
 
     exponent: Annotated[float, Field(gt=1)]
 
 
 class Pistons(Strict):
-    """Pistons with their rods, which move with the ring.
+    """Tensioner pistons with their rods, which move with the tension ring.
 
-    ``mass`` is the mass of all pistons together (``counted: once``), or of one piston (``counted: each``).
+    The ``mass`` of tensioner pistons is the mass of all together (``counted: once``), or of one piston
+    (``counted: each``).
     """
 
     mass: Annotated[u.Mass, POSITIVE]
@@ -63,12 +66,13 @@ class Pistons(Strict):
 
 
 class TwoChamberGas(Strict):
-    """Two gas chambers per cylinder.
+    """Two gas chambers per tensioner cylinder.
 
-    The gas at high pressure pulls the tension ring up. The gas at low pressure and the weight of the pistons
-    act against the pull of the high-pressure gas. The pull of the cylinder is the difference of the two.
+    The gas at high pressure in a two-chamber cylinder pulls the tension ring up. In a two-chamber cylinder,
+    the low-pressure gas and the weight of the pistons act against the pull of the high-pressure gas. The
+    pull of a two-chamber cylinder is the difference of these forces.
 
-    Without ``pistons``, the pistons have neither weight nor mass.
+    Without the key ``pistons``, the tensioner pistons have neither weight nor mass.
     """
 
     high: Chamber
@@ -83,7 +87,7 @@ class TwoChamberGas(Strict):
 
 
 class Linear(Strict):
-    """Straight line for each cylinder: tension at mid-stroke and stiffness."""
+    """Straight line for each tensioner cylinder: tension at mid-stroke and stiffness."""
 
     tension: Annotated[u.Force, POSITIVE]
     stiffness: Annotated[u.Stiffness, NOT_NEGATIVE]
@@ -97,10 +101,11 @@ class TableRow(Strict):
 
 
 class Linearised(Strict):
-    """Straight line that replaces the gas law: a tangent, a chord, or a least-squares line over a range.
+    """Straight line that replaces a tensioner's gas law: a tangent, a chord, or a least-squares line.
 
-    A tangent touches the gas law at the extension ``at`` from mid-stroke, by default zero. A chord or a
-    least-squares line is fitted over the stroke range from ``shortest`` to ``longest``.
+    A tangent as tensioner law touches the gas law at the extension ``at`` from mid-stroke, by default zero.
+    A chord or a least-squares line as tensioner law is fitted over the stroke range from ``shortest`` to
+    ``longest``.
     """
 
     by: Literal["tangent", "chord", "least squares"]
@@ -127,7 +132,7 @@ class Linearised(Strict):
 
 
 class Stroke(Strict):
-    """Stops at two extensions from mid-stroke (negative if the cylinder is shorter), and their stiffness."""
+    """Stops of a tensioner at two extensions from mid-stroke (negative if shorter), and their stiffness."""
 
     shortest: u.Length
     longest: u.Length
@@ -145,12 +150,12 @@ class Stroke(Strict):
 
 
 class Arrangement(Strict):
-    """Cylinders between evenly spaced points on the tension ring and on the deck.
+    """Tensioner cylinders between evenly spaced points on the tension ring and on the deck.
 
-    ``first_bearing`` is the bearing of the first cylinder, from +x towards +y. With ``half a spacing``, the
-    direction +x is midway between two cylinders. ``deck_elevation`` is the elevation of the upper ends of the
-    cylinders on the deck, with the platform at rest. The centre of the deck is vertically above the riser's
-    top.
+    The key ``first_bearing`` is the bearing of the first tensioner cylinder, from +x towards +y. With
+    ``first_bearing: half a spacing``, the direction +x is midway between two cylinders. The key
+    ``deck_elevation`` is the elevation of the upper ends of the tensioner cylinders on the deck, with the
+    platform at rest. The centre of the tensioner deck is vertically above the riser's top.
     """
 
     ring_radius: Annotated[u.Length, NOT_NEGATIVE]
@@ -193,20 +198,25 @@ class Failing(Strict):
 
 
 class Tensioners(Strict):
-    """Equal cylinders between tension ring and deck. By default the cylinders have no damping and no stops.
+    """Equal tensioner cylinders between tension ring and deck.
 
-    In one state of the riser, all cylinders are at mid-stroke; ``mid_stroke`` selects this state. The riser
-    is either unstretched, or in equilibrium with the tension that the cylinders have at mid-stroke. In either
-    state, the riser is vertical, in still water, at an offset of zero.
+    By default, tensioner cylinders have no damping and no stops.
 
-    Give exactly one law for the pull of a cylinder: ``gas``, ``two_chamber_gas``, ``linear``, ``carried`` or
-    ``table``. ``linearised`` replaces a gas law by a straight line. ``table`` gives any other law, as the
-    pull of one cylinder over its reach (its extension from mid-stroke). Between the rows of the table, the
-    engine interpolates smoothly and monotonically, or linearly with ``interpolation: linear``. Beyond the
-    ends of the table, the pull continues linearly, and the run prints a warning.
+    In one state of the riser, all tensioner cylinders are at mid-stroke; the key ``mid_stroke`` selects this
+    state. In this mid-stroke state, the riser is either unstretched, or in equilibrium with the tension that
+    the cylinders have at mid-stroke. In the mid-stroke state, the riser is vertical, in still water, at an
+    offset of zero.
 
-    Without ``arrangement`` the cylinders are vertical. Cylinders listed in ``failed`` (the first is 0) exert
-    no force. Cylinders that fail during the run are listed in ``failing``.
+    Give exactly one law for the pull of a tensioner cylinder: ``gas``, ``two_chamber_gas``, ``linear``,
+    ``carried`` or ``table``. The key ``linearised`` replaces a tensioner's gas law by a straight line. The
+    key ``table`` gives the pull of one tensioner cylinder over its reach (its extension from mid-stroke).
+    Between the rows of a tensioner table, the engine interpolates smoothly and monotonically, or linearly
+    with ``interpolation: linear``. Beyond the ends of a tensioner table, the pull continues linearly, and
+    the run prints a warning.
+
+    Without the key ``arrangement``, the tensioner cylinders are vertical. Tensioner cylinders listed in
+    ``failed`` (the first is 0) exert no force. Tensioner cylinders that fail during the run are listed in
+    ``failing``.
     """
 
     count: Annotated[int, Field(ge=1, le=1000), WHOLE]

@@ -13,10 +13,12 @@ from riserstudy.scene.base import POSITIVE
 
 
 class Water(Strict):
-    """The sea. Without ``water`` there is no drag, added mass, current or waves.
+    """The sea around the riser.
 
-    Waves require the elevations ``surface`` and ``seabed``. Current profiles that are not given by elevations
-    require ``surface`` and ``seabed``, too.
+    Without the key ``water``, a scene has no drag, added mass, current or waves.
+
+    A scene with waves requires the elevations ``surface`` and ``seabed`` of ``water``. Current profiles that
+    are not given by elevations require ``surface`` and ``seabed``, too.
     """
 
     density: Annotated[u.Density, POSITIVE]
