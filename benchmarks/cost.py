@@ -25,11 +25,11 @@ ROOT = Path(__file__).parents[1]
 KEPT = Path(__file__).with_suffix("")
 SCENES = ROOT / "config/scenes"
 ABOUT = """\
-This page shows how the computing cost of ten typical tasks changes from version to version. At each release, the tasks are measured by
-`python benchmarks/cost.py --write docs/cost.md`. To compare different machines, the CPU time of a task is divided by the CPU time of a
-fixed loop, measured on the same machine. In the next table, the column of a version gives this ratio of CPU times. The last column gives
-the CPU time in the newest version. Each value is the smallest of five repetitions. Version 1.0.0 was measured on a busy machine, so the
-values of version 1.0.0 can be too large."""  # noqa: E501
+This page shows how the computing cost of ten typical tasks changes from version to version of riserstudy. At each release, the tasks are
+measured by `python benchmarks/cost.py --write docs/cost.md`. To compare different machines, the CPU time of each task is divided by the CPU
+time of a fixed loop, measured on the same machine. In the next table, the column of a version gives this ratio of CPU times. The last
+column of the table gives the CPU time of each task in the newest version. Each CPU time is the smallest of five repetitions. Version 1.0.0
+was measured on a busy machine, so the CPU times of version 1.0.0 can be too large."""  # noqa: E501
 TURNS, FIXED = 5, 8  # turns, and repetitions of the fixed loop
 #: how often a task is repeated in a turn, so that it takes about a second
 TIMES = {
