@@ -51,7 +51,10 @@ def test_a_deck_becomes_its_scene(tmp_path):
     assert scene.bottom.rotation.stiffness == pytest.approx(120e3 * 180.0 / math.pi)
     assert (scene.top.x, scene.top.elevation) == ("platform", 10.0)
     assert scene.current.turns
-    assert scene.current.directions == pytest.approx([math.radians(a) for a in (60, 30, 0)])
+    elevations, _ = scene.current.table(scene.water)
+    at = dict(zip(elevations, scene.current.directions, strict=True))
+    for depth, angle in ((0.0, 0), (100.0, 30), (500.0, 60)):
+        assert at[-depth] == pytest.approx(math.radians(angle))
     assert (scene.wave.height, scene.wave.period, scene.wave.ramp) == (4.0, 12.0, 20.0)
     assert scene.analysis.duration == 100.0
 
@@ -60,7 +63,7 @@ def test_everything_that_is_not_mapped_is_named():
     left = read_deck(DECK).left_out
     assert {line.partition(":")[0] for line in left} == {
         "General.ImplicitConstantTimeStep", "Environment.WaveTrains[Wave1].WavePeriod",
-        "Environment.KinematicViscosity",
+        "Environment.KinematicViscosity", "Environment.CurrentRotation",
         "Environment.SeabedType", "VesselTypes[Semi].Length", "LineTypes[Joint].PoissonRatio",
         "values that affect only drawings",
     }  # fmt: skip

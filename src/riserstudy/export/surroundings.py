@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 from typing import Any
 
@@ -43,17 +44,23 @@ def _current(deck: Deck, surface: float) -> dict[str, Any]:
         return {"RefCurrentSpeed": 0}
     deck.carried |= {f"current.{name}" for name in ("profile", "heading", "headings", "beyond")}
     z, velocity = current_velocity(flow, deck.scene.water)
-    keep = _needed(z, velocity)
+    if z[-1] > surface:
+        z, velocity = _below(surface, z, velocity)
+        deck.otherwise["current.profile"] = "above the water surface, OrcaFlex has the current at the surface"
+    given, keep = len(z), _needed(z, velocity)
     z, velocity = z[keep][::-1], velocity[:, keep][:, ::-1]
-    if len(z) < len(keep):
-        deck.otherwise["current.profile"] = f"a table of {len(z)} points"
     reference = flow.towards if not flow.turns else 0.0
     along = np.array([math.cos(reference), math.sin(reference)])
     if flow.turns:
-        factor = np.hypot(*velocity)
-        turn = np.degrees(np.unwrap(np.arctan2(velocity[1], velocity[0])))
+        z, factor, turn = _turning_points(z, velocity)
+        turn = np.degrees(turn)
     else:
         factor, turn = along @ velocity, np.zeros(len(z))
+    if len(z) != given:
+        deck.otherwise.setdefault(
+            "current.profile",
+            f"a table of {len(z)} points, with errors of at most {100.0 * STRAIGHT:g} % of the largest speed",
+        )
     rows = [[float(surface - level), float(f), float(t)] for level, f, t in zip(z, factor, turn, strict=True)]
     return {
         "CurrentModel": "Variation scheme", "CurrentRamped": flow.ramp is not None,
@@ -61,6 +68,42 @@ def _current(deck: Deck, surface: float) -> dict[str, Any]:
         "RefCurrentDirection": math.degrees(reference),
         "CurrentDepth, CurrentFactor, CurrentRotation": rows,
     }  # fmt: skip
+
+
+def _below(surface: float, z: np.ndarray, velocity: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the table of a current up to the surface: elevations (m), (k,), and velocities (m/s), (2, k).
+
+    A deck counts depths from the surface (m) down, so its table cannot begin above the surface.
+    """
+    inside = int(np.searchsorted(z, surface, side="right"))
+    if inside and z[inside - 1] == surface:
+        return z[:inside], velocity[:, :inside]
+    top = [[np.interp(surface, z, part)] for part in velocity]
+    return np.append(z[:inside], surface), np.hstack([velocity[:, :inside], top])
+
+
+def _turning_points(z: np.ndarray, velocity: np.ndarray) -> np.ndarray:
+    """Return elevations (m), speeds (m/s) and directions (rad) of a current, (3, k).
+
+    The table has the points that interpolation of speed and direction needs: interpolated so, the velocity
+    has an error of at most a share ``STRAIGHT`` of the greatest speed. Water at rest has the direction of the
+    point below.
+    """
+    allowed = STRAIGHT * float(np.hypot(*velocity).max())
+    rest = [(float(a), complex(u, v)) for a, u, v in zip(z, *velocity, strict=True)][::-1]
+    low, v = rest.pop()
+    made = [(low, abs(v), cmath.phase(next((w for _, w in [(low, v), *rest[::-1]] if w), 1.0)))]
+    while rest:
+        (low, slow, angle), (high, w) = made[-1], rest[-1]
+        turned = angle + (cmath.phase(w * cmath.exp(-1j * angle)) if w else 0.0)
+        between = cmath.rect(0.5 * (slow + abs(w)), 0.5 * (angle + turned))
+        straight = 0.5 * (cmath.rect(slow, angle) + w)
+        if low != high and abs(between - straight) > allowed:
+            rest.append((0.5 * (low + high), straight))
+        else:
+            rest.pop()
+            made.append((high, abs(w), turned))
+    return np.array(made).T
 
 
 def _needed(z: np.ndarray, velocity: np.ndarray) -> list[int]:

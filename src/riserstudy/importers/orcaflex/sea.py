@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 from riserstudy.importers.orcaflex.deck import Part, q
@@ -13,6 +14,7 @@ AIRY = ("Airy", "Single Airy")
 STEEP = ("Dean stream", "Stokes' 5th", "Cnoidal")
 STRETCHING = {"None": "none", "Vertical stretching": "constant", "Wheeler stretching": "stretched"}
 SAME = 0.01  # relative difference of two periods of one sea, which are rounded
+CURVED = 1e-3  # largest error of a turning current, as a share of its greatest speed
 SMALL = 0.1  # largest second harmonic that is left out, as a share of the wave's amplitude
 
 
@@ -44,12 +46,38 @@ def current_of(sea: Part) -> dict[str, Any] | None:
     sea.demand("VerticalCurrentVariationMethod", "Interpolated")
     sea.idle("CurrentModel", "Variation scheme")
     rows = sea.figures("CurrentDepth", "CurrentFactor", of=("CurrentRotation",))
-    points = [{"depth": q(depth, "m"), "speed": q(speed * factor, "m/s")} for depth, factor, _ in rows]
     if any(turn for *_, turn in rows):
-        for point, (*_, turn) in zip(points, rows, strict=True):
-            point["direction"] = q(towards + turn, "deg")
-        return {"profile": points, "beyond": "hold"}
-    return {"profile": points, "beyond": "hold"} | ({"heading": q(towards, "deg")} if towards else {})
+        made: list[dict[str, Any]] = []
+        for depth, factor, turn in _with_turning_points(sea, rows):
+            made.append({"depth": q(depth, "m"), "speed": q(speed * factor, "m/s")})
+            made[-1]["direction"] = q(math.remainder(towards + turn, 360.0), "deg")
+        return {"profile": made, "beyond": "hold"}
+    points = [{"depth": q(depth, "m"), "speed": q(speed * factor, "m/s")} for depth, factor, _ in rows]
+    heading = {"heading": q(math.remainder(towards, 360.0), "deg")} if towards else {}
+    return {"profile": points, "beyond": "hold"} | heading
+
+
+def _with_turning_points(sea: Part, rows: list[list[float]]) -> list[list[float]]:
+    """Return rows of depth (m), factor (1) and rotation (deg), with rows between those that turn far.
+
+    OrcaFlex interpolates factor and rotation, a scene the components of the velocity. A current that turns by
+    half a turn at one speed would come to rest in a scene.
+    """
+    made, largest = rows[:1], max(abs(factor) for _, factor, _ in rows)
+    for row, after in pairwise(rows):
+        turn, change = math.radians(after[2] - row[2]), (after[1] - row[1]) / (largest or 1.0)
+        # the curve of a velocity that turns is a chord in a scene: its sagitta, in two directions
+        parts = math.ceil(math.sqrt(max(turn**2 / 8.0, abs(turn * change) / 4.0) / CURVED))
+        parts = max(parts, 1) if after[0] > row[0] else 1
+        for k in range(1, parts):
+            made.append([a + (b - a) * k / parts for a, b in zip(row, after, strict=True)])
+        made.append(after)
+    if len(made) > len(rows):
+        sea.otherwise["CurrentRotation"] = (
+            f"{len(made) - len(rows)} points are added to the profile, because OrcaFlex interpolates the "
+            "direction over depth, but a scene the components of the velocity"
+        )
+    return made
 
 
 def wave_of(environment: Part, ramp: float | None, sea: Sea) -> dict[str, Any] | None:
