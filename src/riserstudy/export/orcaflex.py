@@ -55,6 +55,9 @@ def write_deck(file: SceneFile) -> Exported:
     top, upper = topside.top(deck, _rest(scene))
     foot = ["Fixed", 0, 0, scene.bottom.elevation]
     deck.carried |= {"bottom.hold", "bottom.elevation", "bottom.rotation"}
+    if scene.bottom.hold == "foot":
+        held = "OrcaFlex holds the lower end in x and y, too; in the scene, only the soil does"
+        deck.otherwise["bottom.hold"] = held
     pipes.lines(deck, top, upper, foot, pipes.stiffness(scene.bottom.rotation), clay)
     return Exported(deck.text(), deck.left_out())
 

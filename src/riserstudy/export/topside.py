@@ -86,6 +86,7 @@ def top(deck: Deck, rest: Rest) -> tuple[list[Any], float]:
     if of.z != "free":
         _moves_as_one(deck)
     if of.telescopic_joint:
+        _refuse_upright_pulls(deck)
         _joint(deck, of.telescopic_joint, offset, rest)
         pulls(deck, RING, rest, along=of.elevation or 0.0)
         return [RING, 0, 0, 0], math.inf
@@ -126,6 +127,23 @@ def _free(deck: Deck, rest: Rest) -> list[Any]:
     _body(deck, of.body, "Free", rest.unstretched)
     pulls(deck, RING, rest, along=None)
     return [RING, 0, 0, 0]
+
+
+def _refuse_upright_pulls(deck: Deck) -> None:
+    """Refuse a vertical pull on the ring below a joint, which moves aside below the platform.
+
+    Links and winches of a deck pull towards a point of the vessel. Along the joint, their pull does not bend
+    it, but a vertical pull does.
+    """
+    of = deck.scene.top
+    if of.tensioners and not of.tensioners.arrangement:
+        allowed = "add arrangement, since OrcaFlex has no part that pulls vertically below a telescopic joint"
+        found = "upright cylinders cannot be exported to OrcaFlex"
+        raise deck.refused("top.tensioners.arrangement", found, allowed)
+    if of.tension:
+        allowed = "give telescopic_joint.tension, which pulls along the joint, instead"
+        found = "a vertical pull below a telescopic joint cannot be exported to OrcaFlex"
+        raise deck.refused("top.tension", found, allowed)
 
 
 def _joint(deck: Deck, joint: TelescopicJoint, offset: float, rest: Rest) -> None:
@@ -226,8 +244,6 @@ def pulls(deck: Deck, ring: str, rest: Rest, along: float | None) -> None:
                 "Stiffness": 1e5, "Damping": 0, "WinchControlType": "By stage",
                 "StageMode, StageValue": [["Specified tension", 1e-3 * tension]] * 3,
             })  # fmt: skip
-            if joint and path == "top.tension":
-                deck.otherwise[path] = "pulls along the joint in the deck"
     if of.tensioners:
         _cylinders(deck, of.tensioners, ring, rest, high)
 
@@ -249,10 +265,6 @@ def _cylinders(deck: Deck, rig: Tensioners, ring: str, rest: Rest, high: float) 
     else:
         inner = outer = 0.0
         height, bearings = high, [0.0] * rig.count
-        if deck.scene.top.telescopic_joint:
-            deck.otherwise["top.tensioners.arrangement"] = (
-                "absent: the cylinders have the inclination of the joint"
-            )
     length = math.hypot(outer - inner, height - zero)
     aside = deck.scene.top.offset or 0.0
     law, nothing = _law(deck, rig, length), _rows(np.array([-REACH, REACH]) + length, np.zeros(2))

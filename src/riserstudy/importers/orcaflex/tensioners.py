@@ -68,7 +68,7 @@ def tensioners(parts: list[Part], of: Anchorage) -> dict[str, Any]:
     first = next((pull for pull in pulls if not pull.idle), pulls[0])
     alike = {(pull.law, pull.damping) for pull in pulls if not pull.idle}
     places = {(*pull.deck[:2], pull.ring_radius) for pull in pulls}
-    if max(len(alike), len(places)) > 1 or (first.deck[0] and not _evenly(pulls)):
+    if max(len(alike), len(places)) > 1 or ((first.deck[0] or first.ring_radius) and not _evenly(pulls)):
         found = "the links differ, or are not spaced evenly around the line"
         allowed = "give equal links, spaced evenly on a circle, or " + CHANGE
         raise parts[0].refused("Connection", found, allowed)
@@ -138,9 +138,9 @@ def _between(part: Part, of: Anchorage) -> tuple[tuple[float, float, float], flo
         raise part.refused(PLACE[0], found, allowed)
     _at_the_top(part, of)
     x -= of.aside
-    bearing = math.degrees(math.atan2(y, x)) % 360.0
-    inner, outer = math.hypot(a, b), math.hypot(x, y)
-    if inner and abs(math.degrees(math.atan2(b, a)) % 360.0 - bearing) > 1e-3:
+    inner, outer = (round(math.hypot(*place), 6) for place in ((a, b), (x, y)))
+    bearing = math.degrees(math.atan2(y, x) if outer else math.atan2(b, a)) % 360.0
+    if inner and abs(math.remainder(math.degrees(math.atan2(b, a)) - bearing, 360.0)) > 1e-3:
         allowed = "place both ends of a tensioner at one bearing around the riser"
         raise part.refused(PLACE[0], "the two ends have different bearings around the riser", allowed)
     if part.optional("ReleaseStage") is not None:
@@ -149,7 +149,7 @@ def _between(part: Part, of: Anchorage) -> tuple[tuple[float, float, float], flo
         part.note(part.refused("ReleaseStage", found, allowed))
     height = z + of.decks[deck]
     length = math.hypot(outer - inner, height - of.ring)
-    return (round(outer, 6), round(height, 6), bearing), round(inner, 6), length
+    return (outer, round(height, 6), bearing), inner, length
 
 
 def _at_the_top(part: Part, of: Anchorage) -> None:

@@ -99,11 +99,12 @@ def platform_of(
         if moves and sea:
             vessel.idle("Length")
             origin, response = _operators(deck, vessel, sea, offset)
-            aside = {name: q(at, "m") for name, at in zip("xy", origin, strict=False) if at}
-            centre = aside | {"elevation": q(height + origin[2], "m")}
-            ramp = {"ramp": q(stages[0], "s")} if stages else {}
-            platform |= {"centre_of_rotation": centre, "response": response | ramp}
-    return platform or {"position": {"surge": "0 m"}}
+            if response:
+                aside = {name: q(at, "m") for name, at in zip("xy", origin, strict=False) if at}
+                centre = aside | {"elevation": q(height + origin[2], "m")}
+                ramp = {"ramp": q(stages[0], "s")} if stages else {}
+                platform |= {"centre_of_rotation": centre, "response": response | ramp}
+    return platform
 
 
 def _answers(vessel: Part) -> bool:
@@ -167,8 +168,10 @@ def _cruise(vessel: Part, stages: list[float]) -> dict[str, Any] | None:
     return cruise | ({"heading": q(heading, "deg")} if heading else {})
 
 
-def _operators(deck: Part, vessel: Part, sea: Sea, offset: float) -> tuple[list[float], dict[str, Any]]:
-    """Return the origin of a vessel's RAOs (m), and the response that they describe."""
+def _operators(
+    deck: Part, vessel: Part, sea: Sea, offset: float
+) -> tuple[list[float], dict[str, Any] | None]:
+    """Return the origin of a vessel's RAOs (m), and the response that they describe, if there is any."""
     kinds = deck.named("VesselTypes")
     name = vessel.text("VesselType")
     if name not in kinds:
@@ -195,8 +198,11 @@ def _phase_origin(table: Part, origin: list[float]) -> tuple[float, float]:
     return x, y
 
 
-def _response(kind: Part, table: Part, crest: Crest) -> dict[str, Any]:
-    """Return the RAOs in the conventions of scenes, from the conventions of the deck."""
+def _response(kind: Part, table: Part, crest: Crest) -> dict[str, Any] | None:
+    """Return the RAOs in the conventions of scenes, from the conventions of the deck.
+
+    Motions that are zero in all waves are left out, because they would make a riser in a plane one in space.
+    """
     kind.demand("RAOWaveUnit", "amplitude")
     by = _choice(kind, "WavesReferredToBy", BY)
     turns = _choice(kind, "RAOResponseUnits", ANGLES)
@@ -211,9 +217,11 @@ def _response(kind: Part, table: Part, crest: Crest) -> dict[str, Any]:
     for motion, (key, along, against) in POSITIVE.items():
         flipped[motion] = _choice(kind, key, {along: 0.0, against: half})
     operators = []
-    for one in table.parts("RAOs"):
+    tables = {one: one.figures(*TABLE) for one in table.parts("RAOs")}
+    moving = [k for k in range(len(MOTIONS)) if any(row[1 + 2 * k] for of in tables.values() for row in of)]
+    for one, rows in tables.items():
         heading = one.number("RAODirection")
-        for row in one.figures(*TABLE):
+        for row in rows:
             period = row[0]
             if not 0.0 < period < math.inf:
                 one.otherwise[TABLE[0]] = f"its row at {period:g} is left out: no wave has this period"
@@ -221,11 +229,13 @@ def _response(kind: Part, table: Part, crest: Crest) -> dict[str, Any]:
             circular = TURN / period if by[1] == "s" else period * (TURN if by[1] == "Hz" else 1.0)
             later = half_a_turn + sign * crest.lead(math.radians(heading), circular)
             operator: dict[str, Any] = {"heading": q(heading, "deg"), by[0]: q(period, by[1])}
-            for k, motion in enumerate(MOTIONS):
-                unit = "m/m" if k < 3 else f"{turns}/m"
+            for k in moving:
+                motion, unit = MOTIONS[k], "m/m" if k < 3 else f"{turns}/m"
                 phase = row[2 + 2 * k] + flipped[motion] + later
                 operator |= {motion: q(row[1 + 2 * k], unit), f"{motion}_phase": q(phase, phases)}
             operators.append(operator)
+    if not moving:
+        return None
     response: dict[str, Any] = {"operators": operators, "phases": lead, "headings": "towards"}
     return response | ({"symmetry": symmetry} if symmetry else {})
 
