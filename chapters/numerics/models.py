@@ -9,15 +9,17 @@ from typing import Annotated, Any, ClassVar, Literal
 from pydantic import Field
 
 from chapters.numerics.reference.folder import references
-from chapters.numerics.scenes import bases, case_file, in_tier
+from chapters.numerics.scenes import bases
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene.base import Positive
-from riserstudy.scene.load import SceneFile
+from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.study.axes import Tier
 from riserstudy.study.measured import MeasuredModel, Setting
 
 Pair = Annotated[list[Positive], Field(min_length=2, max_length=2)]
 Factors = Annotated[list[Positive], Field(min_length=1)]
+
+_WHERE = "config/studies/numerics.yaml: measured"
 
 
 class EngineStudy(MeasuredModel):
@@ -309,6 +311,17 @@ class ValidationStudy(EngineStudy):
     def data_files(self, setting: Setting) -> list[Path]:
         """Return the files of the histories."""
         return [setting.config / path for path in self.stored.values()]
+
+
+def in_tier(things: dict[str, Any], tier: str) -> dict[str, Any]:
+    """Return the cases, methods or variants of a tier."""
+    of = {name: x for name, x in things.items() if getattr(x, "only", None) in (None, tier)}
+    return {name: x for name, x in of.items() if tier != "preview" or x.preview}
+
+
+def case_file(config: Path, name: str, case: Case | LimitCase | Ladder | Family | LongCase) -> SceneFile:
+    """Read the scene of a case and set the values of the case in it."""
+    return read_scene(config / case.scene, keep=True).with_values(case.set, f"{_WHERE}: {name}.set")
 
 
 #: by the name of the dataset

@@ -1,32 +1,17 @@
-"""Scenes of a measured dataset, determined before any simulation."""
+"""The scenes that studies vary, one of each kind."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from riserstudy.scene.load import SceneFile, read_scene
-
 if TYPE_CHECKING:
-    from chapters.numerics.models import Case, Family, Ladder, LimitCase, LongCase
+    from riserstudy.scene.load import SceneFile
     from riserstudy.study.study import Study
 
-Scenes = Iterator[tuple[str, SceneFile]]
+Scenes = Iterator[tuple[str, "SceneFile"]]
 # parts of a scene that do not change its kind
 _VALUES = {"title", "note", "paper", "output", "mesh", "step", "accuracy", "points", "profile"}
-_WHERE = "config/studies/numerics.yaml: measured"
-
-
-def in_tier(things: dict[str, Any], tier: str) -> dict[str, Any]:
-    """Return the cases, methods or variants of a tier."""
-    of = {name: x for name, x in things.items() if getattr(x, "only", None) in (None, tier)}
-    return {name: x for name, x in of.items() if tier != "preview" or x.preview}
-
-
-def case_file(config: Path, name: str, case: Case | LimitCase | Ladder | Family | LongCase) -> SceneFile:
-    """Read the scene of a case and set the values of the case in it."""
-    return read_scene(config / case.scene, keep=True).with_values(case.set, f"{_WHERE}: {name}.set")
 
 
 def bases(studies: Sequence[Study], tier: str) -> Scenes:

@@ -21,7 +21,7 @@ _HOMES = {
     "simulate": "riserstudy.simulation.simulate",
     "modes": "riserstudy.simulation.labelled_modes",
     "open_results": "riserstudy.dataset.open",
-    "query": "riserstudy.database.ask",
+    "query": "riserstudy.database.query",
     "open_point": "riserstudy.database.open_points",
     "dataset_of": "riserstudy.database.open_points",
     "sweep": "riserstudy.study.sweep",
@@ -30,8 +30,8 @@ _HOMES = {
 if TYPE_CHECKING:
     __version__: str
 
-    from riserstudy.database.ask import query
     from riserstudy.database.open_points import dataset_of, open_point
+    from riserstudy.database.query import query
     from riserstudy.dataset.open import open_results
     from riserstudy.scene.load import load_scene
     from riserstudy.simulation.labelled_modes import modes

@@ -7,7 +7,7 @@ import pytest
 
 from riserstudy.errors import InputError
 from riserstudy.grading.published import read_published
-from riserstudy.jobs import calibrate
+from riserstudy.jobs import calibration
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
 
@@ -33,18 +33,18 @@ def items():
 
 def test_the_search_finds_the_least_of_a_worst_miss():
     """Two edges that meet in a valley, whose floor is lowest at one place."""
-    found = calibrate.search(lambda x: max(abs(x[0] - 0.3), 2.0 * abs(x[1] - 0.8)) + 0.05, [0.9, 0.1])
+    found = calibration.search(lambda x: max(abs(x[0] - 0.3), 2.0 * abs(x[1] - 0.8)) + 0.05, [0.9, 0.1])
     assert found.shares == pytest.approx([0.3, 0.8], abs=5e-3)
     assert found.miss == pytest.approx(0.05, abs=5e-3)
 
 
 def test_the_search_stays_in_the_ranges():
-    found = calibrate.search(lambda x: abs(x[0] - 2.0) + abs(x[1] + 1.0), [0.5, 0.5])
+    found = calibration.search(lambda x: abs(x[0] - 2.0) + abs(x[1] + 1.0), [0.5, 0.5])
     assert found.shares == pytest.approx([1.0, 0.0], abs=1e-6)
 
 
 def test_free_are_the_calibrated_values_that_have_a_range(nearest):
-    free = {one.path: one for one in calibrate.free_values(nearest)}
+    free = {one.path: one for one in calibration.free_values(nearest)}
     layer = free["current.profile.layer"]
     assert (layer.low, layer.high, layer.unit) == (10.0, 300.0, "m")
     assert set(free) == {
@@ -53,23 +53,23 @@ def test_free_are_the_calibrated_values_that_have_a_range(nearest):
 
 
 def test_what_has_no_unit_is_a_number():
-    drag = calibrate.Free("riser[0].drag.coefficient", 1.0, 0.6, 1.4, "")
+    drag = calibration.Free("riser[0].drag.coefficient", 1.0, 0.6, 1.4, "")
     assert drag.value(0.25) == 0.8
-    assert calibrate.Free("bottom.body.mass", 130.0, 100.0, 140.0, "t").value(0.5) == "120 t"
+    assert calibration.Free("bottom.body.mass", 130.0, 100.0, 140.0, "t").value(0.5) == "120 t"
 
 
 def test_scenes_of_a_search_hold_what_is_tried_and_are_calibrated(nearest):
-    free = calibrate.free_values(nearest)
-    tried = calibrate.with_values(nearest, free, [0.5] * len(free))
+    free = calibration.free_values(nearest)
+    tried = calibration.with_values(nearest, free, [0.5] * len(free))
     assert tried.base.tree["current"]["profile"]["layer"] == "155 m"
     assert tried.base.origins["current.profile.layer"].status == "calibrated"
 
 
 def test_fitting_improves_on_where_it_began_and_tells_what_it_found(nearest, items, capsys):
-    free = calibrate.free_values(nearest)
-    began = calibrate.with_values(nearest, free, [(f.start - f.low) / (f.high - f.low) for f in free])
-    before = calibrate.worst_miss(calibrate.values_of(began, items, {}), items)
-    fit = calibrate.calibrate(nearest, items, {}, 12)
+    free = calibration.free_values(nearest)
+    began = calibration.with_values(nearest, free, [(f.start - f.low) / (f.high - f.low) for f in free])
+    before = calibration.worst_miss(calibration.values_of(began, items, {}), items)
+    fit = calibration.calibrate(nearest, items, {}, 12)
     assert fit.miss < before
     told = capsys.readouterr().out
     assert "current.profile.layer: " in told
@@ -80,6 +80,6 @@ def test_fitting_improves_on_where_it_began_and_tells_what_it_found(nearest, ite
 def test_without_a_range_or_a_number_there_is_nothing_to_fit(nearest, items):
     bare = replace(nearest, model=nearest.model.replaced(set={}))
     with pytest.raises(InputError, match="no value is calibrated within a range"):
-        calibrate.calibrate(bare, items, {}, 1)
+        calibration.calibrate(bare, items, {}, 1)
     with pytest.raises(InputError, match="no published numbers"):
-        calibrate.calibrate(nearest, [], {}, 1)
+        calibration.calibrate(nearest, [], {}, 1)

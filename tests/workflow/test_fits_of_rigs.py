@@ -8,7 +8,7 @@ from ruamel.yaml import YAML
 from riserstudy.errors import InputError
 from riserstudy.grading.models import Item
 from riserstudy.inputs.validate import check
-from riserstudy.jobs import calibrate
+from riserstudy.jobs import calibration
 from riserstudy.study.models import StudyFile
 from riserstudy.study.study import Study
 
@@ -24,7 +24,7 @@ def largest(runs, output, factor=1.0, unit=None):
 @pytest.fixture
 def study_of(tmp_path, monkeypatch):
     """A study of a rig, some of whose values are calibrated, and a number that an input gives there."""
-    monkeypatch.setattr(calibrate, "checks_of", lambda paper: lambda name: largest)
+    monkeypatch.setattr(calibration, "checks_of", lambda paper: lambda name: largest)
     (tmp_path / "scenes").mkdir()
 
     def made(seed, sets, spatial, elements=24, **analysis):
@@ -65,12 +65,12 @@ def given_as(monkeypatch, function, coarse=0.0):
         off = coarse * (0.25 if finer else 1.0)
         return {item.id: function(*values) * (1.0 + off) for item in items}
 
-    monkeypatch.setattr(calibrate, "values_of", values_of)
+    monkeypatch.setattr(calibration, "values_of", values_of)
 
 
 def told(study, items, capsys):
     """The lines that a fit prints."""
-    calibrate.calibrate(study, items, {}, 200)
+    calibration.calibrate(study, items, {}, 200)
     return capsys.readouterr().out.splitlines()
 
 
@@ -146,7 +146,7 @@ def test_a_value_at_the_end_of_its_range_or_without_effect_is_named(study_of, mo
 )
 def test_a_range_in_another_unit_or_without_its_value_is_refused(study_of, value, said):
     with pytest.raises(InputError, match=said):
-        calibrate.free_values(study_of(0, {STIFFNESS: value}, False))
+        calibration.free_values(study_of(0, {STIFFNESS: value}, False))
 
 
 @pytest.mark.parametrize(
@@ -161,9 +161,9 @@ def test_a_number_that_the_study_does_not_give_is_not_fitted(study_of, more, sai
     study = study_of(0, {STIFFNESS: wrapped("5 MN*m/rad", "1 MN*m/rad", "9 MN*m/rad")}, False)
     item = number(**{"value": 0.01} | more)
     with pytest.raises(InputError, match=said):
-        calibrate.calibrate(study, [item], {}, 5)
+        calibration.calibrate(study, [item], {}, 5)
 
 
 def test_a_number_that_is_not_published_is_refused_although_another_is():
     with pytest.raises(InputError, match="no number N99"):
-        calibrate.fit_study(calibrate.CONFIG, "mao_hangoff/nearest", ["N1", "N99"], "standard", 1)
+        calibration.fit_study(calibration.CONFIG, "mao_hangoff/nearest", ["N1", "N99"], "standard", 1)

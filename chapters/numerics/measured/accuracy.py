@@ -19,12 +19,11 @@ import psutil
 from chapters.numerics.attempt import Attempt, Outcome, attempt, attempt_on, in_time, too_long
 from chapters.numerics.fixed_step import freed, stepped, whole
 from chapters.numerics.measured.stability import attempt_limit
-from chapters.numerics.models import AccuracyStudy, Ladder, Method
+from chapters.numerics.models import AccuracyStudy, Ladder, Method, in_tier
 from chapters.numerics.outside import RADAU, outside
 from chapters.numerics.reference.check import with_recomputed
 from chapters.numerics.reference.store import Wanted
 from chapters.numerics.references import OPINIONS, QUANTITIES, Reference, differences, reference, solved
-from chapters.numerics.scenes import in_tier
 from riserstudy.dataset.describe import label_variables
 from riserstudy.dataset.result import Result
 from riserstudy.model.mesh import Mesh, even

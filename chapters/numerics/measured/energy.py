@@ -12,8 +12,7 @@ import numpy as np
 
 from chapters.numerics.attempt import attempt_on
 from chapters.numerics.fixed_step import FREE, stepped
-from chapters.numerics.models import EnergyCase, EnergyStudy, Method
-from chapters.numerics.scenes import case_file, in_tier
+from chapters.numerics.models import EnergyCase, EnergyStudy, Method, case_file, in_tier
 from riserstudy.dataset.describe import label_variables
 from riserstudy.model.mesh import even
 from riserstudy.scene.load import SceneFile

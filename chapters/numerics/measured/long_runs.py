@@ -19,13 +19,12 @@ import psutil
 from chapters.numerics.attempt import Attempt, attempt_on, largest
 from chapters.numerics.fixed_step import freed, stepped, whole
 from chapters.numerics.measured.accuracy import timed
-from chapters.numerics.models import LongCase, LongStudy
+from chapters.numerics.models import LongCase, LongStudy, in_tier
 from chapters.numerics.reference.check import with_recomputed
 from chapters.numerics.reference.converge import SMOOTH, converged, none
 from chapters.numerics.reference.kept import Kept
 from chapters.numerics.reference.store import Wanted, solution
 from chapters.numerics.references import by_run
-from chapters.numerics.scenes import in_tier
 from riserstudy.dataset.describe import label_variables
 from riserstudy.dataset.result import Result
 from riserstudy.model.mesh import Mesh, even

@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING
 from chapters.numerics.answers import OWN
 from chapters.numerics.fixed_step import freed, whole
 from chapters.numerics.measured.long_runs import STUDY, candidate, dataset_of, row
-from chapters.numerics.models import PaperStudy
+from chapters.numerics.models import PaperStudy, in_tier
 from chapters.numerics.reference.store import solution
-from chapters.numerics.scenes import in_tier
 from riserstudy.model.mesh import even
 from riserstudy.study.measured import Setting
 

@@ -20,13 +20,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from chapters.numerics.attempt import Outcome, attempt, attempt_on, errors, in_time
 from chapters.numerics.fixed_step import freed, stepped, whole
-from chapters.numerics.models import Family, RandomStudy
+from chapters.numerics.models import Family, RandomStudy, in_tier
 from chapters.numerics.reference.check import with_recomputed
 from chapters.numerics.reference.converge import SMOOTH, converged, none
 from chapters.numerics.reference.kept import Kept
 from chapters.numerics.reference.store import NotUsed, Wanted, read
 from chapters.numerics.references import QUANTITIES, by_run
-from chapters.numerics.scenes import in_tier
 from riserstudy.dataset.describe import label_variables
 from riserstudy.dataset.result import Result
 from riserstudy.model.mesh import even

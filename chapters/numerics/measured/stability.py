@@ -18,12 +18,11 @@ import numpy as np
 
 from chapters.numerics.attempt import ACCURATE_TO, Attempt, Outcome, attempt, attempt_on, judged, mesh_of
 from chapters.numerics.fixed_step import FREE, stepped, whole
-from chapters.numerics.models import Case, Method, StabilityStudy
+from chapters.numerics.models import Case, Method, StabilityStudy, case_file, in_tier
 from chapters.numerics.reference.check import with_recomputed
 from chapters.numerics.reference.converge import HARD, converged, none
 from chapters.numerics.reference.kept import Kept
 from chapters.numerics.reference.store import NotUsed, Wanted, read
-from chapters.numerics.scenes import case_file, in_tier
 from riserstudy.dataset.describe import label_variables
 from riserstudy.dataset.result import Result
 from riserstudy.errors import InputError

@@ -11,8 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from chapters.numerics.models import LimitStudy
-from chapters.numerics.scenes import case_file, in_tier
+from chapters.numerics.models import LimitStudy, case_file, in_tier
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.scene.resolve import Resolved

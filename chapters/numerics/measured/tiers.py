@@ -18,12 +18,11 @@ from numpy.typing import NDArray
 
 from chapters.numerics.attempt import Attempt, attempt, in_time
 from chapters.numerics.fixed_step import whole
-from chapters.numerics.models import TiersStudy
+from chapters.numerics.models import TiersStudy, case_file, in_tier
 from chapters.numerics.reference.check import with_recomputed
 from chapters.numerics.reference.converge import SMOOTH, converged, none
 from chapters.numerics.reference.kept import Kept
 from chapters.numerics.reference.store import NotUsed, Wanted, read
-from chapters.numerics.scenes import case_file, in_tier
 from riserstudy.advice.ablation import peaks
 from riserstudy.dataset.describe import label_variables
 from riserstudy.scene.load import SceneFile

@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from chapters.numerics.models import ValidationStudy
-from chapters.numerics.scenes import case_file, in_tier
+from chapters.numerics.models import ValidationStudy, case_file, in_tier
 from chapters.numerics.validation_cases import CASES
 from chapters.numerics.validation_motion import histories
 from riserstudy.dataset.describe import label_variables

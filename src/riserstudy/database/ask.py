@@ -9,16 +9,12 @@ from __future__ import annotations
 import re
 import sqlite3
 import time as clock
-import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import closing, contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from riserstudy.errors import InputError
-
-if TYPE_CHECKING:
-    import pandas as pd
 
 NAME = "results.sqlite"
 DATABASE = Path("results") / NAME
@@ -152,36 +148,3 @@ def _rows(cursor: sqlite3.Cursor, where: str) -> list[tuple[Any, ...]]:
             found = f"the answer has more than {MOST_CELLS} cells or {MOST_TEXT} characters"
             raise InputError(where, "", found, "select fewer columns, or add `limit 1000`")
     return rows
-
-
-def query(sql: str, values: Sequence[Any] = (), database: str | Path = DATABASE) -> pd.DataFrame:
-    """Run an SQL query on the results database. A warning states if results changed after it was built.
-
-    Parameters
-    ----------
-    sql : str
-        One SQL statement that only reads, with a ``?`` for each of ``values``.
-    values : sequence
-        Values that replace the question marks, in their order.
-    database : str or Path
-        File of the results database.
-
-    Returns
-    -------
-    pandas.DataFrame
-        The selected columns and rows.
-
-    Raises
-    ------
-    InputError
-        When the database does not exist, or the statement is invalid, does not only read, or finds too much.
-    """
-    import pandas as pd
-
-    from riserstudy.database.outdated import outdated
-
-    with connect(database) as db:
-        if note := outdated(db, Path(database)):
-            warnings.warn(note, stacklevel=2)
-        answer = ask(db, sql, values)
-    return pd.DataFrame(answer.rows, columns=pd.Index(answer.columns))

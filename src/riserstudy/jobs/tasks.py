@@ -364,6 +364,6 @@ def calibrate(
     most: Annotated[int | None, typer.Option(help="evaluations a start")] = None,
 ) -> None:
     """Fit the calibrated values of a study to published values, and print them; no file is written."""
-    from riserstudy.jobs.calibrate import fit_study
+    from riserstudy.jobs.calibration import fit_study
 
     fit_study(CONFIG, study, ids, tier, most)

@@ -15,9 +15,8 @@ from chapters.numerics.attempt import Outcome
 from chapters.numerics.figures.stability import ENDS, LESS, SHORTEST, ended
 from chapters.numerics.measured.stability import Rung, climbed, run_case, stability, standard_of
 from chapters.numerics.measured.stable_step import BRACKET, HALVINGS, stable_step
-from chapters.numerics.models import StabilityStudy
+from chapters.numerics.models import StabilityStudy, case_file, in_tier
 from chapters.numerics.report.section import section
-from chapters.numerics.scenes import case_file, in_tier
 from riserstudy.chapters.draw import draw
 from riserstudy.study.measured import Setting
 from riserstudy.study.read import read_studies
