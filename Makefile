@@ -90,7 +90,7 @@ figures: $(READY)  ## draw the figures, and simulate only missing points
 	@exec $(STUDY) figures
 
 references: $(READY)  ## compute reference solutions that are missing or outdated
-	@$(IN_ENVIRONMENT) python -m chapters.numerics.reference $(CASES)
+	@$(IN_ENVIRONMENT) python -m chapters.numerics.make_references $(CASES)
 
 bench: .venv/.bench-$(ID)  ## time the engine and other simulators alternately
 	@$(IN_ENVIRONMENT) python benchmarks/run.py

@@ -13,6 +13,7 @@ import time
 from importlib.metadata import version
 from pathlib import Path
 
+from cost_page import KEPT, whole_page
 from cost_task import fixed_loop
 
 from riserstudy import load_scene, modes, simulate
@@ -22,14 +23,7 @@ from riserstudy.jobs.workplan import Workplan
 from riserstudy.scene.load import read_scene
 
 ROOT = Path(__file__).parents[1]
-KEPT = Path(__file__).with_suffix("")
 SCENES = ROOT / "config/scenes"
-ABOUT = """\
-This page shows how the computing cost of ten typical tasks changes from version to version of riserstudy. At each release, the tasks are
-measured by `python benchmarks/cost.py --write docs/cost.md`. To compare different machines, the CPU time of each task is divided by the CPU
-time of a fixed loop, measured on the same machine. In the next table, the column of a version gives this ratio of CPU times. The last
-column of the table gives the CPU time of each task in the newest version. Each CPU time is the smallest of five repetitions. Version 1.0.0
-was measured on a busy machine, so the CPU times of version 1.0.0 can be too large."""  # noqa: E501
 TURNS, FIXED = 5, 8  # turns, and repetitions of the fixed loop
 #: how often a task is repeated in a turn, so that it takes about a second
 TIMES = {
@@ -146,43 +140,6 @@ def measured():
         }
         print(f"{task.__name__:26} {seconds:8.3f} s {loops:8.2f} loops", flush=True)
     return found
-
-
-def page(results):
-    """The page: a row a task, a column a version."""
-    newest = results[max(results, key=lambda v: tuple(map(int, v.split("."))))]["tasks"]
-    rows = [
-        f"| {task['what']} | "
-        + " | ".join(f"{results[v]['tasks'].get(name, {}).get('loops', '–')}" for v in results)
-        + f" | {task['seconds']:.2g} s |"
-        for name, task in newest.items()
-    ]
-    heads = "".join(f" {v} |" for v in results)
-    lines = [
-        "# Cost by version",
-        "",
-        ABOUT,
-        "",
-        f"| task |{heads} newest, CPU time |",
-        "|---|" + "---|" * (len(results) + 1),
-        *rows,
-        "",
-    ]
-    return "\n".join(lines)
-
-
-def whole_page():
-    """The page with the history of commits, where that was measured."""
-    import cost_history
-
-    history = cost_history.kept()
-    return page(kept()) + (f"\n{cost_history.section(history)}" if history else "")
-
-
-def kept():
-    """Results of all versions, the oldest first."""
-    files = sorted(KEPT.glob("*.json"), key=lambda f: tuple(map(int, f.stem.split("."))))
-    return {file.stem: json.loads(file.read_text("utf-8")) for file in files}
 
 
 def main():

@@ -15,11 +15,10 @@ import tempfile
 from datetime import UTC, datetime
 from pathlib import Path
 
-import cost
+from cost_page import PAGE, RESULTS, history, whole_page
 from cost_task import TASKS
 
 ROOT = Path(__file__).parents[1]
-RESULTS = Path(__file__).with_suffix(".json")
 FIGURE = ROOT / "docs/images/cost.svg"
 #: one half day of work apart or so, from the first with these scenes on
 COMMITS = ("3860a62", "6b15e92", "ce4e45c", "f9f55ea", "c766789", "1296f5d")
@@ -132,39 +131,19 @@ def draw(results):
         figure.savefig(FIGURE, metadata={"Date": None})
 
 
-def kept():
-    """Results as they stand; None where there are none."""
-    return json.loads(RESULTS.read_text("utf-8")) if RESULTS.exists() else None
-
-
-def section(results):
-    """What the page says of the history."""
-    points = results["commits"]
-    rows = [
-        f"| {words} | " + " | ".join(f"{p['loops'].get(task, '–')}" for p in points) + " |"
-        for task, (words, _) in TASKS.items()
-    ]
-    heads = " | ".join(f"{p['date'][5:]}<br>`{p['commit']}`" for p in points)
-    return "\n".join([
-        "## Over the commits", "", results["about"], "",
-        f"![{results['title']}](images/cost.svg)", "",
-        f"| task | {heads} |", "|---|" + "---|" * len(points), *rows, "",
-    ])  # fmt: skip
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--draw", action="store_true", help="measure nothing")
     parser.add_argument("--turns", type=int, default=TURNS)
     asked = parser.parse_args()
-    results = kept() or {"title": "Cost of seven tasks over the commits of main", "about": ""}
+    results = history() or {"title": "Cost of seven tasks over the commits of main", "about": ""}
     if not asked.draw:
         load = os.getloadavg()[0]
         results["commits"] = measured(asked.turns)
         results |= {"load": [round(load, 1), round(os.getloadavg()[0], 1)], "turns": asked.turns}
         RESULTS.write_text(json.dumps(results, indent=1) + "\n", "utf-8")
     draw(results)
-    (ROOT / "docs/cost.md").write_text(cost.whole_page(), "utf-8")
+    PAGE.write_text(whole_page(), "utf-8")
 
 
 if __name__ == "__main__":

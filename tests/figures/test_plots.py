@@ -18,8 +18,8 @@ from riserstudy.errors import InputError
 from riserstudy.figures import draw_plot
 from riserstudy.figures.figure_text import csv_table
 from riserstudy.study.figures import NEEDS, FigureModel
-from riserstudy.study.models import StudyModel
 from riserstudy.study.read import default_figures
+from riserstudy.study.study_model import StudyModel
 
 UNIT = re.compile(r"\((m|s|kN|kN m|deg|ft)\)|utilisation")
 TIME, S = np.linspace(0.0, 10.0, 41), np.linspace(0.0, 100.0, 11)

@@ -16,8 +16,8 @@ from riserstudy.records import facts
 from riserstudy.records.facts import Column, RunFacts, point_columns
 from riserstudy.study.axes import Numbers
 from riserstudy.study.collect import dataset_of
-from riserstudy.study.models import StudyModel
 from riserstudy.study.study import Study
+from riserstudy.study.study_model import StudyModel
 
 CONFIG = Path(__file__).parents[2] / "config"
 AXES = {"amplitude": Numbers(path="platform.surge.amplitude", unit="m", values=[1.0, 2.0])}

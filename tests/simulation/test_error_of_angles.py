@@ -12,10 +12,11 @@ from random_rigs import moving, rig, written
 from riserstudy.dataset.limits import checked
 from riserstudy.scene.limits import ANGLES
 from riserstudy.scene.load import SceneFile, read_scene
-from riserstudy.simulation import refine as module
+from riserstudy.simulation import refinement as module
 from riserstudy.simulation.error_estimate import controlled, difference
 from riserstudy.simulation.halved import Halved
-from riserstudy.simulation.refine import Refinement, run
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.refinement import Refinement
 from riserstudy.simulation.run import single
 
 MANY = 1000  # segments of a run, which four times finer would take a minute

@@ -5,7 +5,7 @@ from random_rigs import rig, written
 
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.error_estimate import difference
-from riserstudy.simulation.refine import Refinement
+from riserstudy.simulation.refinement import Refinement
 from riserstudy.simulation.run import march
 
 COVERED = 1.5  # true over estimated error, at most: as for angles

@@ -10,7 +10,8 @@ from random_rigs import moving, rig, written
 from riserstudy.dataset.limits import checked
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.simulation.error_estimate import difference
-from riserstudy.simulation.refine import Refinement, run
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.refinement import Refinement
 from riserstudy.simulation.run import single
 
 VIBRATING = Path(__file__).parents[2] / "config/scenes/hard/vortices.yaml"

@@ -190,7 +190,7 @@ def test_the_estimated_error_of_damage_covers_the_true_one(seed, spatial):
         del tree["analysis"][name]
     file = SceneFile("rig.yaml", written(tree) | {})
     scene = file.with_values({"analysis.accuracy": "5 %"}, "test").resolved()
-    from riserstudy.simulation.refine import Refinement
+    from riserstudy.simulation.refinement import Refinement
 
     refinement = Refinement(scene)
     found = refinement.result()

@@ -10,7 +10,7 @@ from riserstudy.errors import SimulationError
 from riserstudy.simulation import long_record as module
 from riserstudy.simulation.error_estimate import controlled, difference
 from riserstudy.simulation.long_record import LongRecord, is_long, piece_length, refinement_of
-from riserstudy.simulation.refine import Refinement
+from riserstudy.simulation.refinement import Refinement
 from riserstudy.simulation.run import march
 from riserstudy.simulation.time_limit import Watch
 from riserstudy.simulation.tolerance import allowed

@@ -10,7 +10,7 @@ import pytest
 from riserstudy.errors import TakesTooLong
 from riserstudy.model.mesh import even
 from riserstudy.scene.load import read_scene
-from riserstudy.simulation import refine as module
+from riserstudy.simulation import refinement as module
 from riserstudy.simulation.error_estimate import estimate
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import single

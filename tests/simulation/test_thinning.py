@@ -9,7 +9,8 @@ import pytest
 from riserstudy.scene.load import read_scene
 from riserstudy.simulation.convergence import Convergence
 from riserstudy.simulation.error_estimate import difference
-from riserstudy.simulation.refine import Refinement, run
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.refinement import Refinement
 from riserstudy.simulation.run import march, single
 from riserstudy.simulation.starting_mesh import coarsest_mesh, period
 from riserstudy.simulation.thinning import A_PERIOD, STEPS, thinned

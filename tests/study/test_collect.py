@@ -13,9 +13,9 @@ from riserstudy.dataset.variables import attributes
 from riserstudy.study.axes import Numbers
 from riserstudy.study.collect import _named, dataset_of, laid_on, write_dataset
 from riserstudy.study.grid import Grid, Point
-from riserstudy.study.models import StudyModel
 from riserstudy.study.simulate_points import has_error_estimate, lacks
 from riserstudy.study.study import Study
+from riserstudy.study.study_model import StudyModel
 
 CONFIG = Path(__file__).parents[2] / "config"
 TIME, LENGTH = np.array([0.0, 1.0, 2.0]), 533.0

@@ -8,8 +8,8 @@ from without_end import KINDS, soon
 
 from riserstudy.errors import InputError
 from riserstudy.inputs.validate import check
-from riserstudy.study.models import StudyModel
 from riserstudy.study.study import Study
+from riserstudy.study.study_model import StudyModel
 
 WATER = {"density": "1025 kg/m^3", "surface": "490 m"}
 PLACES = {"current": {"profile": {"file": "table.csv"}}, "platform": {"heave": {"file": "table.csv"}}}

@@ -21,8 +21,8 @@ from riserstudy.simulation.refine import run
 from riserstudy.simulation.warm_up import scenes
 from riserstudy.study.axes import Steps
 from riserstudy.study.grid import Grid
-from riserstudy.study.models import StudyModel
 from riserstudy.study.store import key_of
+from riserstudy.study.study_model import StudyModel
 
 CONFIG = Path(__file__).parents[2] / "config"
 SURGE = CONFIG / "scenes/bench/s2c.yaml"

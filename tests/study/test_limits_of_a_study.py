@@ -9,8 +9,8 @@ from riserstudy.dataset.unit_systems import UnitSystem, reading_in
 from riserstudy.errors import InputError
 from riserstudy.report.limits import limit_tables
 from riserstudy.study.collect import dataset_of, results_of
-from riserstudy.study.models import StudyModel
 from riserstudy.study.study import Study
+from riserstudy.study.study_model import StudyModel
 
 #: a string of 1 kN/m and 500 m: of the tension at its top 500 kN are left at its foot
 HUNG = {

@@ -18,10 +18,10 @@ from riserstudy.scene.load import read_scene
 from riserstudy.study import modes as of_study
 from riserstudy.study import simulate_points
 from riserstudy.study.collect import dataset_of, results_of, write_dataset
-from riserstudy.study.models import StudyModel
 from riserstudy.study.new import new_study
 from riserstudy.study.repeat_point import rerun
 from riserstudy.study.study import Study
+from riserstudy.study.study_model import StudyModel
 
 ROOT = Path(__file__).parents[2]
 MASS = 500.0  # kg/m

@@ -8,9 +8,9 @@ import xarray as xr
 from riserstudy.simulation.refine import run
 from riserstudy.study import collect, store
 from riserstudy.study.collect import dataset_of, results_of
-from riserstudy.study.models import StudyModel
 from riserstudy.study.needed import with_envelopes
 from riserstudy.study.study import Study
+from riserstudy.study.study_model import StudyModel
 
 CONFIG = Path(__file__).parents[2] / "config"
 SHORT = {"analysis.duration": "2 s", "analysis.output": {"interval": "0.5 s"}}

@@ -13,9 +13,9 @@ from riserstudy.errors import InputError
 from riserstudy.scene.paths import leaves, value_at
 from riserstudy.study.axes import TIERS, Numbers
 from riserstudy.study.collect import dataset_of
-from riserstudy.study.models import StudyModel
 from riserstudy.study.seas_model import SeasModel
 from riserstudy.study.study import Study
+from riserstudy.study.study_model import StudyModel
 
 COUNT = dict.fromkeys(TIERS, 4)
 

@@ -8,9 +8,9 @@ from pydantic import ValidationError
 from riserstudy.folders import PACKAGE
 from riserstudy.scene.origin import plain_values
 from riserstudy.scene.paths import within
-from riserstudy.study.models import SETTINGS, StudyModel
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
+from riserstudy.study.study_model import SETTINGS, StudyModel
 
 CONFIG = PACKAGE.parents[1] / "config"
 COARSE = {"analysis.mesh.elements": 60, "analysis.step": "0.5 s"}

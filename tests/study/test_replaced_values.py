@@ -14,8 +14,8 @@ from riserstudy.inputs.validate import check
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.paths import and_above, leaves, value_at
 from riserstudy.study.grid import Grid
-from riserstudy.study.models import StudyModel
 from riserstudy.study.read import read_studies
+from riserstudy.study.study_model import StudyModel
 from riserstudy.study.sweep import as_study
 
 LIMIT = {"output": "lfj_angle", "largest": "3 deg", "mode": "drilling"}

@@ -15,7 +15,7 @@ from riserstudy.errors import InputError, SimulationError
 from riserstudy.jobs.plan_checks import refuse_settings
 from riserstudy.model.mesh import prescribed
 from riserstudy.simulation.error_estimate import controlled, difference
-from riserstudy.simulation.refine import Refinement
+from riserstudy.simulation.refinement import Refinement
 from riserstudy.simulation.run import single
 from riserstudy.study import settings, store
 from riserstudy.study.corners import others

@@ -8,8 +8,8 @@ import pytest
 from random_rigs import rig, written
 
 from riserstudy.scene.load import SceneFile, read_scene
-from riserstudy.study.models import StudyModel
 from riserstudy.study.study import Study
+from riserstudy.study.study_model import StudyModel
 from riserstudy.study.sweep import as_study
 
 NAMES = ("first.csv", "second.csv")

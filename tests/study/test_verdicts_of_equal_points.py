@@ -7,9 +7,9 @@ from random_rigs import moving, written
 
 from riserstudy.study import simulate_points, store
 from riserstudy.study.collect import dataset_of, results_of
-from riserstudy.study.models import StudyModel
 from riserstudy.study.repeat_point import rerun
 from riserstudy.study.study import Study
+from riserstudy.study.study_model import StudyModel
 
 LIMITS = [
     {"output": "bending_moment", "largest": "1 GN*m", "mode": "drilling"},

@@ -100,7 +100,7 @@ def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
     )
     label_variables(dataset, {name: of for name, of in ABOUT.items() if name in dataset})
     dataset.attrs["load_average"] = psutil.getloadavg()[0]
-    return with_recomputed(dataset, setting, study, wanted(study, setting.config))
+    return with_recomputed(dataset, setting, study.references, wanted(study, setting.config))
 
 
 def scene_of(config: Path, name: str, ladder: Ladder) -> SceneFile:

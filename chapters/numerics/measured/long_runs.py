@@ -62,7 +62,7 @@ def long_runs(study: LongStudy, setting: Setting) -> xr.Dataset:
         for name in ("published_seconds", "target_seconds"):
             dataset[name] = dataset[name].where(False)
     dataset.attrs["load_average"] = psutil.getloadavg()[0]
-    return with_recomputed(dataset, setting, study, wanted(study, setting.config))
+    return with_recomputed(dataset, setting, study.references, wanted(study, setting.config))
 
 
 def dataset_of(rows: list[dict[str, Any]]) -> xr.Dataset:

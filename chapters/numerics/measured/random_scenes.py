@@ -93,7 +93,7 @@ def random_scenes(study: RandomStudy, setting: Setting) -> xr.Dataset:
     patience = study.patience[setting.tier]
     one = partial(judge, setting.config, patience, setting.tier == "reference")
     dataset = tabulated(study, list(each(one, every, setting.threads)))
-    return with_recomputed(dataset, setting, study, wanted(study, setting.config))
+    return with_recomputed(dataset, setting, study.references, wanted(study, setting.config))
 
 
 def drawn(study: RandomStudy, config: Path, tier: Tier) -> list[Drawn]:

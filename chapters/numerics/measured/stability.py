@@ -231,7 +231,7 @@ def stability(study: StabilityStudy, setting: Setting) -> xr.Dataset:
     one = partial(_case_result, study, setting.config, setting.tier)
     outcomes = dict(zip(cases, each(one, list(cases.items()), setting.threads), strict=True))
     dataset = tabulated(study, cases, outcomes, setting.tier)
-    return with_recomputed(dataset, setting, study, wanted(study, setting.config))
+    return with_recomputed(dataset, setting, study.references, wanted(study, setting.config))
 
 
 def _case_result(study: StabilityStudy, config: Path, tier: Tier, item: tuple[str, Case]) -> CaseResult:

@@ -76,7 +76,7 @@ def tiers(study: TiersStudy, setting: Setting) -> xr.Dataset:
     dataset = xr.Dataset(data, {"scene": list(scenes), "tier": names, "quantity": list(PEAKS)})
     label_variables(dataset, ABOUT)
     dataset.attrs["load_average"] = psutil.getloadavg()[0]
-    return with_recomputed(dataset, setting, study, wanted(study, setting.config))
+    return with_recomputed(dataset, setting, study.references, wanted(study, setting.config))
 
 
 def up_to(tier: Tier, study: TiersStudy) -> list[Tier]:

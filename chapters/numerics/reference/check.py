@@ -15,7 +15,6 @@ from chapters.numerics.reference.store import Wanted, read
 if TYPE_CHECKING:
     import xarray as xr
 
-    from chapters.numerics.models import EngineStudy
     from riserstudy.study.measured import Setting
 
 SEED = 37
@@ -29,9 +28,11 @@ def tenth(wanted: Sequence[Wanted], seed: int = SEED) -> list[Wanted]:
 
 
 def with_recomputed(
-    dataset: xr.Dataset, setting: Setting, study: EngineStudy, wanted: Iterable[Wanted]
+    dataset: xr.Dataset, setting: Setting, study: str, wanted: Iterable[Wanted]
 ) -> xr.Dataset:
     """Add the deviations of recomputed references to a dataset of the reference tier, and to no other.
+
+    ``study``: name of the study whose references they are.
 
     Raises
     ------
@@ -40,7 +41,7 @@ def with_recomputed(
     """
     if setting.tier != "reference":
         return dataset
-    return dataset.merge(recomputed(setting.config, study.references, [*wanted]))
+    return dataset.merge(recomputed(setting.config, study, [*wanted]))
 
 
 def recomputed(config: Path, study: str, wanted: Sequence[Wanted]) -> xr.Dataset:

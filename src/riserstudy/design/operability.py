@@ -29,7 +29,8 @@ from riserstudy.scene.limit_inputs import lacks
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.pressures import not_in_demand
 from riserstudy.scene.resolve import Resolved
-from riserstudy.simulation.refine import Refinement, run
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.refinement import Refinement
 from riserstudy.simulation.run import single
 from riserstudy.simulation.tolerance import MOMENT
 from riserstudy.study.processes import each

@@ -17,7 +17,8 @@ from riserstudy.report.without_points import WithoutPoints, without_points
 from riserstudy.report.wording import grouped, share, spaced
 from riserstudy.scene.fields import in_si
 from riserstudy.scene.limits import ANGLES
-from riserstudy.study.models import StudyFile, StudyModel
+from riserstudy.study.models import StudyFile
+from riserstudy.study.study_model import StudyModel
 
 TOLERANCE = 0.01  # largest accepted estimated error of a point without a requested accuracy
 ROUNDING = 1e-9  # excess over a tolerance that is rounding

@@ -6,7 +6,7 @@ Their mass, weight and stiffness are given separately from the pipe, and added w
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple, Self
+from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
@@ -14,9 +14,6 @@ from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE
-
-if TYPE_CHECKING:
-    from riserstudy.scene.riser import Section
 
 
 class Modules(Strict):
@@ -103,27 +100,6 @@ def check_wall(outer: float, inner: float) -> None:
     if inner >= outer:
         found = f"inner_diameter {inner:g} m is not smaller than outer_diameter {outer:g} m"
         raise Misfit("", found, "correct one of them")
-
-
-class Attached(NamedTuple):
-    """Mass (kg/m) and weight (N/m) of the attachments to a pipe, and net lift of the modules (N/m)."""
-
-    mass: float
-    weight: float
-    lift: float
-
-
-def attached(section: Section, gravity: float, water: float) -> Attached:
-    """Values that modules and lines add to a section, in gravity (m/s2) and water (kg/m3; 0 above it)."""
-    lines = section.lines or []
-    mass, outside = sum(line.all_mass for line in lines), sum(line.outside for line in lines)
-    weight = gravity * (mass - water * outside)
-    if section.modules is None:
-        return Attached(mass, weight, 0.0)
-    each = section.joints.length if section.joints else section.total_length
-    own = section.modules.mass / each
-    lift = section.modules.lift / each if water else 0.0
-    return Attached(mass + own, weight + (-lift if water else gravity * own), lift)
 
 
 def disc(diameter: float) -> float:

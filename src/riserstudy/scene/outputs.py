@@ -6,13 +6,47 @@ Limits, plots, figures and the list of names that axes may not have use this tab
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
-    from riserstudy.scene.parts import Parts
+    from riserstudy.scene.analysis import Analysis
+    from riserstudy.scene.disconnect import Disconnect
+    from riserstudy.scene.ends import Top
+    from riserstudy.scene.forcing import Platform
     from riserstudy.scene.riser import Section
+    from riserstudy.scene.vessel import Vessel
+    from riserstudy.scene.water import Water
+
+
+class _SceneParts(Protocol):
+    """The parts of a scene that decide which quantities its runs return."""
+
+    @property
+    def riser(self) -> Sequence[Section]: ...
+    @property
+    def top(self) -> Top: ...
+    @property
+    def gravity(self) -> float | None: ...
+    @property
+    def water(self) -> Water | None: ...
+    @property
+    def platform(self) -> Platform | None: ...
+    @property
+    def vessel(self) -> Vessel | None: ...
+    @property
+    def disconnect(self) -> Disconnect | None: ...
+    @property
+    def fatigue(self) -> object | None: ...
+    @property
+    def analysis(self) -> Analysis: ...
+    @property
+    def lateral(self) -> str: ...
+    @property
+    def spatial(self) -> str: ...
+    @property
+    def drains(self) -> bool: ...
 
 
 @dataclass(frozen=True)
@@ -21,7 +55,7 @@ class Quantity:
 
     # fields of the scene that the quantity requires. Absent: every scene has the quantity
     needs: str = ""
-    is_in: Callable[[Parts], bool] = lambda _: True  # whether a scene has these fields
+    is_in: Callable[[_SceneParts], bool] = lambda _: True  # whether a scene has these fields
     # SI unit that the text of a limit is converted to. Absent: the quantity has no limits
     limit_unit: str = ""
     along: bool = False  # whether the quantity has a value at every place along the riser
@@ -31,7 +65,7 @@ class Quantity:
     is_array: bool = True
 
 
-def wall_lacks(scene: Parts, section: Section) -> list[str]:
+def wall_lacks(scene: _SceneParts, section: Section) -> list[str]:
     """Fields of the scene that are missing for the stress of a section's wall; empty if none is missing.
 
     The pressure of the contents is known only below an unbroken column: a section without contents breaks it.
@@ -43,7 +77,7 @@ def wall_lacks(scene: Parts, section: Section) -> list[str]:
     return range_lacks(scene, section) + [f"contents of section {name!r}" for name in gaps]
 
 
-def range_lacks(scene: Parts, section: Section) -> list[str]:
+def range_lacks(scene: _SceneParts, section: Section) -> list[str]:
     """Fields missing for the range of a wall's stress over time; constant pressure does not change it."""
     lacks = [
         f"{name} of section {section.name!r}"
@@ -57,27 +91,27 @@ def range_lacks(scene: Parts, section: Section) -> list[str]:
     return lacks + (["constant contents, which drain here"] if scene.drains and section.contents else [])
 
 
-def _has_stroke(scene: Parts) -> bool:
+def _has_stroke(scene: _SceneParts) -> bool:
     top = scene.top
     below = scene.platform and top.z == "free"
     return bool(scene.analysis.duration and (top.tensioners or top.telescopic_joint or below))
 
 
-def _of_vessel(*parts: str, spatial: bool = False) -> Callable[[Parts], bool]:
+def _of_vessel(*parts: str, spatial: bool = False) -> Callable[[_SceneParts], bool]:
     """Test of a scene for a vessel with some parts; with ``spatial``, also for motion out of the plane."""
 
-    def is_in(scene: Parts) -> bool:
+    def is_in(scene: _SceneParts) -> bool:
         there = all(getattr(scene.vessel, part) for part in parts) if scene.vessel else False
         return bool(there and (scene.spatial or not spatial))
 
     return is_in
 
 
-def _with_platform(is_in: Callable[[Parts], bool]) -> Callable[[Parts], bool]:
+def _with_platform(is_in: Callable[[_SceneParts], bool]) -> Callable[[_SceneParts], bool]:
     return lambda scene: bool(scene.platform and is_in(scene))
 
 
-def _yaw_of_thrusters(scene: Parts) -> bool:
+def _yaw_of_thrusters(scene: _SceneParts) -> bool:
     thrusters = scene.vessel.thrusters if scene.vessel else None
     return bool(thrusters and thrusters.yaw and _of_vessel("yaw", spatial=True)(scene))
 

@@ -9,12 +9,11 @@ weight of this water in ``submerged_weight`` and gives no contents.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.records.numerals import plain
 from riserstudy.scene.geometry import levels
-from riserstudy.scene.modules_and_lines import attached
 
 if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
@@ -69,7 +68,7 @@ def with_attachments(scene: Parts) -> list[Section]:
         bare = section.buoyancy_lift is None and modular
         more: dict[str, float] = {"buoyancy_lift": 0.0} if bare else {}
         if section.modules or section.lines:
-            adds = attached(section, scene.gravity, _water_around(scene, k))
+            adds = _attached(section, scene.gravity, _water_around(scene, k))
             more |= {
                 "mass": (section.mass or 0.0) + adds.mass,
                 "submerged_weight": section.submerged_weight + adds.weight,
@@ -78,6 +77,27 @@ def with_attachments(scene: Parts) -> list[Section]:
                 more["buoyancy_lift"] = adds.lift
         sections[k] = section.replaced(**more)
     return sections
+
+
+class _Attached(NamedTuple):
+    """Mass (kg/m) and weight (N/m) of the attachments to a pipe, and net lift of the modules (N/m)."""
+
+    mass: float
+    weight: float
+    lift: float
+
+
+def _attached(section: Section, gravity: float, water: float) -> _Attached:
+    """Values that modules and lines add to a section, in gravity (m/s2) and water (kg/m3; 0 above it)."""
+    lines = section.lines or []
+    mass, outside = sum(line.all_mass for line in lines), sum(line.outside for line in lines)
+    weight = gravity * (mass - water * outside)
+    if section.modules is None:
+        return _Attached(mass, weight, 0.0)
+    each = section.joints.length if section.joints else section.total_length
+    own = section.modules.mass / each
+    lift = section.modules.lift / each if water else 0.0
+    return _Attached(mass + own, weight + (-lift if water else gravity * own), lift)
 
 
 def doubts(scene: Parts) -> list[str]:

@@ -8,7 +8,7 @@ from riserstudy.model.mesh import own_mesh
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.long_record import is_long
 from riserstudy.simulation.piece import longest_ramp, piece_of
-from riserstudy.simulation.refine import Refinement
+from riserstudy.simulation.refinement import Refinement
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import period
 from riserstudy.simulation.time_limit import Watch, size

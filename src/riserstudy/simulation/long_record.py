@@ -18,7 +18,7 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import Storm
 from riserstudy.simulation.error_estimate import CONTROLLED, difference
 from riserstudy.simulation.piece import longest_ramp, piece_of
-from riserstudy.simulation.refine import Refinement
+from riserstudy.simulation.refinement import Refinement
 from riserstudy.simulation.run import march
 from riserstudy.simulation.run_cost import cost
 from riserstudy.simulation.starting_mesh import massless, period

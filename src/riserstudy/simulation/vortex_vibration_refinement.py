@@ -11,7 +11,7 @@ from __future__ import annotations
 from riserstudy.dataset.result import Result
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.convergence import Convergence
-from riserstudy.simulation.refine import Refinement
+from riserstudy.simulation.refinement import Refinement
 from riserstudy.simulation.time_limit import Watch
 from riserstudy.simulation.tolerance import in_words
 

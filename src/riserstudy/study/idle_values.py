@@ -10,8 +10,8 @@ from riserstudy.dataset.variables import ENDINGS
 from riserstudy.scene.origin import unwrap
 from riserstudy.scene.outputs import QUANTITIES
 from riserstudy.scene.paths import within
-from riserstudy.study.models import SETTINGS
 from riserstudy.study.study import Study
+from riserstudy.study.study_model import SETTINGS
 
 
 def idle_values(study: Study) -> list[str]:

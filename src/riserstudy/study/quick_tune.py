@@ -13,7 +13,8 @@ from dataclasses import dataclass, replace
 
 from riserstudy.errors import SimulationError
 from riserstudy.simulation.error_estimate import difference
-from riserstudy.simulation.refine import Refinement, run
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.refinement import Refinement
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import massless
 from riserstudy.study.corners import corners

@@ -16,9 +16,10 @@ from riserstudy.study.axes import Tier
 from riserstudy.study.figures import NEEDS, FigureModel, Plot
 from riserstudy.study.limits import limited
 from riserstudy.study.measured import measured_models
-from riserstudy.study.models import StudyFile, StudyModel
+from riserstudy.study.models import StudyFile
 from riserstudy.study.plots import faults
 from riserstudy.study.study import Study, scene_file
+from riserstudy.study.study_model import StudyModel
 
 
 def read_studies(config: Path, paper: str) -> StudyFile:

@@ -16,9 +16,9 @@ from riserstudy.scene.load import SceneFile
 from riserstudy.study.axes import Labels, Tier
 from riserstudy.study.departures import check_stays
 from riserstudy.study.in_sea import heading_values, phases_of
-from riserstudy.study.models import StudyModel
 from riserstudy.study.seas_model import HEADING, SeasModel
 from riserstudy.study.study import Study
+from riserstudy.study.study_model import StudyModel
 
 
 class Settings(Study):

@@ -23,8 +23,8 @@ from riserstudy.scene.tables import names_of_tables, texts_of_tables
 from riserstudy.simulation.kernel_groups import group_of, group_of_modes
 from riserstudy.study.axes import MOST_VALUES, Labels, Numbers, Samples, Tier
 from riserstudy.study.grid import Grid, Index, Point
-from riserstudy.study.models import StudyModel, TuneAt, meets
 from riserstudy.study.store import canonical, key_of
+from riserstudy.study.study_model import StudyModel, TuneAt, meets
 
 # number of points for tuning; number of points of a study below which one point is used
 TUNED_AT, FEW = 12, 1000

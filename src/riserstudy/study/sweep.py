@@ -33,10 +33,10 @@ from riserstudy.study.collect import dataset_of
 from riserstudy.study.far_values import far_values
 from riserstudy.study.grid import Point
 from riserstudy.study.idle_values import idle_values
-from riserstudy.study.models import StudyModel
 from riserstudy.study.processes import check_cores
 from riserstudy.study.simulate_points import attempt
 from riserstudy.study.study import Study
+from riserstudy.study.study_model import StudyModel
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -22,7 +22,8 @@ from riserstudy.records.numerals import percent
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.error_estimate import difference
-from riserstudy.simulation.refine import Refinement, run
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.refinement import Refinement
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import massless
 from riserstudy.simulation.tolerance import allowed_of

@@ -13,8 +13,9 @@ from riserstudy.chapters.derive import derive
 from riserstudy.errors import InputError
 from riserstudy.scene.load import read_scene
 from riserstudy.study.axes import Numbers
-from riserstudy.study.models import Derived, StudyModel
+from riserstudy.study.models import Derived
 from riserstudy.study.read import read_studies
+from riserstudy.study.study_model import StudyModel
 
 # studies
 

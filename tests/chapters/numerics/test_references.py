@@ -11,13 +11,13 @@ import pytest
 from chapters.numerics import models
 from chapters.numerics.attempt import errors
 from chapters.numerics.fixed_step import stepped, whole
+from chapters.numerics.make_references.compute import compute
+from chapters.numerics.make_references.wanted import all_wanted
 from chapters.numerics.reference import check, store
-from chapters.numerics.reference.compute import compute
 from chapters.numerics.reference.converge import HARD, converged
 from chapters.numerics.reference.folder import FOLDER, path_of
 from chapters.numerics.reference.identity import PHYSICS, scene_digest
 from chapters.numerics.reference.kept import RESOLUTION, Damaged, Kept, packed, reduced, unpacked
-from chapters.numerics.reference.wanted import all_wanted
 from chapters.numerics.report.section import references
 from riserstudy.errors import InputError
 from riserstudy.jobs.workplan import Workplan

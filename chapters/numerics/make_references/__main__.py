@@ -1,4 +1,4 @@
-"""``python -m chapters.numerics.reference [STUDY[/CASE] ...]``, which `make references` runs."""
+"""``python -m chapters.numerics.make_references [STUDY[/CASE] ...]``, which `make references` runs."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from chapters.numerics.reference.compute import compute
+from chapters.numerics.make_references.compute import compute
 from riserstudy.errors import RiserStudyError
 
 

@@ -6,10 +6,10 @@ import time as clock
 from functools import partial
 from pathlib import Path
 
+from chapters.numerics.make_references.wanted import PAPER, all_wanted
 from chapters.numerics.reference.folder import path_of, references
 from chapters.numerics.reference.kept import Kept
 from chapters.numerics.reference.store import NotUsed, Wanted, read, write
-from chapters.numerics.reference.wanted import PAPER, all_wanted
 from riserstudy.errors import InputError
 from riserstudy.study.processes import each
 from riserstudy.study.read import read_studies

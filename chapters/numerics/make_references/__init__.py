@@ -1,0 +1,1 @@
+"""Computation of all reference solutions, which `make references` starts."""
