@@ -24,7 +24,7 @@ import netCDF4
 import numpy as np
 
 from riserstudy.dataset.result import Result
-from riserstudy.folders import write_whole
+from riserstudy.files.whole import write_whole
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run

@@ -136,7 +136,7 @@ def same(one, other):
 
 def shared_kernels(cache):
     """A cache of its own with the kernels that are compiled."""
-    from riserstudy.folders import cache_folder
+    from riserstudy.files.cache import cache_folder
 
     (cache_folder() / "numba").mkdir(parents=True, exist_ok=True)
     cache.mkdir(parents=True)

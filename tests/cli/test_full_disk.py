@@ -10,7 +10,7 @@ from ruamel.yaml import YAML
 
 from riserstudy.dataset.netcdf import written_whole
 from riserstudy.errors import SimulationError
-from riserstudy.folders import whole_file
+from riserstudy.files.whole import whole_file
 from riserstudy.study.write_tuned import write_tuned
 
 STUDY = "paper: own\nstudies:\n  heave:\n    set: {analysis.accuracy: 1 %}  # as agreed\n    axes: {}\n"

@@ -9,7 +9,7 @@ import pytest
 from riserstudy.crate.claims import claim_entities
 from riserstudy.crate.former import of_former_results
 from riserstudy.crate.records import recorded
-from riserstudy.folders import SEALS
+from riserstudy.files.seals import SEALS
 
 READ, MADE = "results/paper/runs.nc", "results/paper/fig01.png"
 

@@ -5,7 +5,7 @@ import shutil
 import pytest
 import workspace
 
-from riserstudy.folders import cache_folder
+from riserstudy.files.cache import cache_folder
 
 
 @pytest.fixture(scope="session")

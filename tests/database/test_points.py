@@ -194,7 +194,7 @@ def test_a_point_with_another_table_than_its_scene_has_now_is_refused(mine, monk
     assert open_point(key).identical(before)
     with monkeypatch.context() as edited:  # an engine that came later reads the points of the former one
         edited.setattr(store, "engine_digest", lambda: "another version of the engine")
-        edited.setattr("riserstudy.digests.engine_digest", lambda: "another version of the engine")
+        edited.setattr("riserstudy.files.digests.engine_digest", lambda: "another version of the engine")
         assert open_point(key).identical(before)
         table.write_text(texts[1])
         with pytest.raises(

@@ -9,7 +9,7 @@ import workspace
 from ruamel.yaml import YAML
 
 from riserstudy import query
-from riserstudy.csv_files import read_csv
+from riserstudy.files.csv_files import read_csv
 from riserstudy.records.graded import Grounds, Share
 
 NUMBERS = ("published", "simulated", "error", "margin", "margin_low", "margin_high")

@@ -16,7 +16,7 @@ from riserstudy import simulate
 from riserstudy.database import wide_table, write_study
 from riserstudy.database.build import build
 from riserstudy.database.sources import Sources
-from riserstudy.folders import cache_folder
+from riserstudy.files.cache import cache_folder
 from riserstudy.scene.load import SceneFile
 from riserstudy.study import store
 from riserstudy.study.collect import dataset_of, results_of, write_dataset

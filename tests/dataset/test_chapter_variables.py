@@ -5,10 +5,10 @@ import random
 import pytest
 from ruamel.yaml import YAML
 
-from riserstudy import digests
 from riserstudy.dataset.chapter_variables import chapter_table
 from riserstudy.dataset.variables import attributes, variables
 from riserstudy.errors import InputError
+from riserstudy.files import digests
 from riserstudy.jobs.workplan import Workplan
 from riserstudy.study.axes import Numbers, Samples
 from riserstudy.study.collect import _named

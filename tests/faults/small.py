@@ -10,7 +10,7 @@ import psutil
 from ruamel.yaml import YAML
 
 from riserstudy.dataset.diff import changes
-from riserstudy.folders import cache_folder
+from riserstudy.files.cache import cache_folder
 
 ROOT = Path(__file__).parents[2]
 KEPT = ("s3", "s4b")

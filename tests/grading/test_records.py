@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from riserstudy.csv_files import read_csv
+from riserstudy.files.csv_files import read_csv
 from riserstudy.grading.rows import Row, row_of, table
 from riserstudy.grading.words import decided_by, depends_on
 from riserstudy.records.graded import (

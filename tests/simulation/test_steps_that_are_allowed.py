@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from riserstudy.errors import SimulationError
-from riserstudy.simulation import prescribed_run, refine
+from riserstudy.simulation import prescribed_run, refinement
 from riserstudy.simulation.error_estimate import MOST_FALL
 from riserstudy.simulation.prescribed_run import refuse_unseen_periods
 
@@ -55,11 +55,11 @@ def test_the_decrease_that_is_believed_grows_with_the_steps_in_a_period(seed):
 def test_the_first_step_of_a_refinement_is_a_share_of_a_period_and_of_a_coupling(seed, monkeypatch):
     draw = np.random.default_rng(seed)
     period, interval = (float(x) for x in draw.uniform(0.5, 30.0, 2))
-    monkeypatch.setattr(refine, "period", lambda _: period)
-    alone = refine._longest_step(SimpleNamespace(vessel=None))
+    monkeypatch.setattr(refinement, "period", lambda _: period)
+    alone = refinement._longest_step(SimpleNamespace(vessel=None))
     assert alone == pytest.approx(period / 24.0)
     vessel = SimpleNamespace(coupling=SimpleNamespace(interval=interval))
-    coupled = refine._longest_step(SimpleNamespace(vessel=vessel))
+    coupled = refinement._longest_step(SimpleNamespace(vessel=vessel))
     assert coupled <= alone * (1.0 + 1e-9)
     steps = interval / coupled
     assert steps == pytest.approx(round(steps))

@@ -11,7 +11,7 @@ import pytest
 from planning import dry_run, jobs_in
 from ruamel.yaml import YAML
 
-from riserstudy.folders import cache_folder
+from riserstudy.files.cache import cache_folder
 from riserstudy.solve.kernel_cache import kernel_cache
 
 ROOT = Path(__file__).parents[2]

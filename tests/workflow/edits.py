@@ -2,7 +2,7 @@
 
 import ast
 
-from riserstudy import digests
+from riserstudy.files import digests
 
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 SCOPES = (ast.Module, ast.ClassDef, *FUNCTIONS)

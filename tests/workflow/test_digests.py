@@ -11,12 +11,13 @@ from pathlib import Path
 import pytest
 from edits import edit, forget_sources, prose_edit
 
-from riserstudy import digests
-from riserstudy.digests import ENGINE, dependencies, digest
 from riserstudy.errors import InputError
-from riserstudy.folders import PACKAGE, cache_folder
+from riserstudy.files import digests
+from riserstudy.files.cache import cache_folder
+from riserstudy.files.digests import ENGINE, dependencies, digest
+from riserstudy.files.syntax import ANNOTATION_READERS, DOCSTRING_READERS, _names
+from riserstudy.folders import PACKAGE
 from riserstudy.jobs.workplan import COLLECT, DATABASE, DERIVE, GRADE, REPORT, Workplan
-from riserstudy.syntax import ANNOTATION_READERS, DOCSTRING_READERS, _names
 
 pytestmark = pytest.mark.long
 

@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from riserstudy import digests
-from riserstudy.digests import ENGINE, LIBRARIES, dependencies, engine_digest, facts
+from riserstudy.files import digests
+from riserstudy.files.digests import ENGINE, LIBRARIES, dependencies, engine_digest, facts
 from riserstudy.scene.load import read_scene
 from riserstudy.study import store
 

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from typed_commands import typed
 
-from riserstudy.folders import cache_folder
+from riserstudy.files.cache import cache_folder
 
 pytestmark = pytest.mark.long
 

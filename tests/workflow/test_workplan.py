@@ -9,10 +9,11 @@ from pathlib import Path
 
 import pytest
 
-from riserstudy import digests
-from riserstudy.digests import dependencies, digest, source_of
 from riserstudy.errors import InputError
-from riserstudy.folders import PACKAGE, chapter_files
+from riserstudy.files import digests
+from riserstudy.files.chapters import chapter_files
+from riserstudy.files.digests import dependencies, digest, source_of
+from riserstudy.folders import PACKAGE
 from riserstudy.jobs.workplan import Workplan
 
 pytestmark = pytest.mark.long

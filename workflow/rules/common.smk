@@ -6,7 +6,7 @@ from pathlib import Path
 
 from riserstudy.blas import use_one_thread
 from riserstudy.errors import InputError
-from riserstudy.folders import chapter_files
+from riserstudy.files.chapters import chapter_files
 from riserstudy.jobs import SHARED
 from riserstudy.jobs.begin import begin, describe_results
 from riserstudy.jobs.start_server import start_server, use_this_python

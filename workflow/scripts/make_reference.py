@@ -15,7 +15,7 @@ from pathlib import Path
 from effect_drawings import drawing, file_of
 from made_parts import kept_pages, write_validation
 from riserstudy.effects.catalogue import catalogue
-from riserstudy.folders import own_chapters
+from riserstudy.files.chapters import own_chapters
 from riserstudy.grading import claims_schema
 from riserstudy.scene.units import USUAL, factor
 from riserstudy.study.schemas import schema_files

@@ -11,7 +11,7 @@ from chapters.numerics.fixed_step import stepped, whole
 from chapters.numerics.reference.identity import PHYSICS, scene_digest
 from chapters.numerics.reference.kept import Kept, reduced
 from riserstudy.dataset.result import Result
-from riserstudy.digests import engine_digest
+from riserstudy.files.digests import engine_digest
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.error_estimate import deciding

@@ -11,7 +11,7 @@ from chapters.numerics.reference.identity import PHYSICS, scene_digest
 from chapters.numerics.reference.kept import Damaged, Kept, packed, unpacked
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
-from riserstudy.folders import write_whole
+from riserstudy.files.whole import write_whole
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 

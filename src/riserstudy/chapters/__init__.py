@@ -15,8 +15,8 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from riserstudy.digests import defining
-from riserstudy.folders import chapter_modules, import_of_chapter
+from riserstudy.files.chapters import chapter_modules, import_of_chapter
+from riserstudy.files.digests import defining
 
 if TYPE_CHECKING:
     from collections.abc import Callable

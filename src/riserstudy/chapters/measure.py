@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from riserstudy.chapters import function_of
 from riserstudy.dataset.label import history
-from riserstudy.digests import engine_digest
+from riserstudy.files.digests import engine_digest
 
 if TYPE_CHECKING:
     import xarray as xr

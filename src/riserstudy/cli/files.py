@@ -13,7 +13,7 @@ import typer
 from riserstudy.cli.shared import SceneArgument, SetOption, quantity, scene_of, wrote
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
-from riserstudy.folders import whole_file
+from riserstudy.files.whole import whole_file
 
 
 class FirstColumn(StrEnum):
@@ -180,7 +180,7 @@ def schema(
     ] = "scene",
 ) -> None:
     """Print the JSON schema of scene, study, configuration or claims files, for editors."""
-    from riserstudy.folders import own_chapters
+    from riserstudy.files.chapters import own_chapters
     from riserstudy.grading import claims_schema
     from riserstudy.study.schemas import schemas
 

@@ -126,7 +126,7 @@ def _show(answer: Any, csv: Path | None, as_json: bool, units: dict[str, str] | 
     from riserstudy.database import show
 
     if csv is not None:
-        from riserstudy.csv_files import write_csv
+        from riserstudy.files.csv_files import write_csv
 
         write_csv(csv, show.headings(answer, units or {}), answer.rows)
         wrote(csv)

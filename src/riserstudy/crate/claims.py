@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from riserstudy.crate.entities import Entity
-from riserstudy.csv_files import read_csv
+from riserstudy.files.csv_files import read_csv
 
 
 def claim_entities(table: Path) -> Iterator[Entity]:

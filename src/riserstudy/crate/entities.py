@@ -9,7 +9,7 @@ from platform import python_version
 from typing import Any
 from urllib.parse import quote
 
-from riserstudy.folders import sha256_of
+from riserstudy.files.whole import sha256_of
 
 Entity = dict[str, Any]
 #: formats of files, by their suffix

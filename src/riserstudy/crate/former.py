@@ -11,7 +11,7 @@ from pathlib import Path
 
 from riserstudy.crate.metadata import outputs_of
 from riserstudy.crate.records import Made, recorded
-from riserstudy.folders import SEALS
+from riserstudy.files.seals import SEALS
 
 
 def of_former_results(study: Path) -> list[str]:

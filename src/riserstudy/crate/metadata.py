@@ -12,8 +12,10 @@ from pathlib import Path
 from riserstudy.crate.claims import claim_entities
 from riserstudy.crate.entities import Entity, file_entity, licence, ref, software
 from riserstudy.crate.records import Made, recorded
-from riserstudy.digests import dependencies
-from riserstudy.folders import PACKAGE, SEALS, write_whole
+from riserstudy.files.digests import dependencies
+from riserstudy.files.seals import SEALS
+from riserstudy.files.whole import write_whole
+from riserstudy.folders import PACKAGE
 
 NAME = "ro-crate-metadata.json"
 RUN, WORKFLOW_LANGUAGE = "#run", "https://w3id.org/workflowhub/workflow-ro-crate#snakemake"

@@ -9,7 +9,8 @@ from riserstudy.crate.former import of_former_results
 from riserstudy.crate.metadata import NAME, crate_text, inputs_of, outputs_of
 from riserstudy.crate.records import recorded
 from riserstudy.errors import InputError
-from riserstudy.folders import SEALS, fits_seal, whole_file
+from riserstudy.files.seals import SEALS, fits_seal
+from riserstudy.files.whole import whole_file
 
 #: optional files in the folder of the study
 FILES = ("README.md", "LICENSE", "CITATION.cff")

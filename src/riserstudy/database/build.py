@@ -20,8 +20,8 @@ from riserstudy.database.wide_table import facts_of_points
 from riserstudy.database.write_papers import datasets_of, remove_papers, studies_of, write_papers
 from riserstudy.database.write_parameters import Values
 from riserstudy.database.write_study import marks, remove_study, remove_unused, write_study
-from riserstudy.digests import dependencies, digest
 from riserstudy.errors import SimulationError
+from riserstudy.files.digests import dependencies, digest
 
 DATA_FILES = ("schema.sql",)
 SCHEMA = Path(__file__).with_name(DATA_FILES[0])

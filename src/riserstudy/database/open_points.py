@@ -80,7 +80,7 @@ def _refuse_other_tables(key: str, file: SceneFile, engine: str) -> None:
 
     ``engine``: digest of the engine that simulated it.
     """
-    from riserstudy.digests import engine_digest
+    from riserstudy.files.digests import engine_digest
     from riserstudy.study import store
 
     if store.key_of(file.resolved(), engine) != key:

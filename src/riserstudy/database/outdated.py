@@ -8,7 +8,8 @@ from pathlib import Path
 
 from riserstudy.database.ask import ask
 from riserstudy.errors import InputError, printable
-from riserstudy.folders import SEALS, sha256_of
+from riserstudy.files.seals import SEALS
+from riserstudy.files.whole import sha256_of
 
 
 def outdated(db: sqlite3.Connection, database: Path) -> str:

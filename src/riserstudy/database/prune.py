@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from riserstudy.database.ask import ask, connect
-from riserstudy.digests import engine_digest
+from riserstudy.files.digests import engine_digest
 from riserstudy.inputs.validate import check
 from riserstudy.study import store
 from riserstudy.study.config import Config, read_config

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from riserstudy.errors import InputError
-from riserstudy.folders import sha256_of
+from riserstudy.files.whole import sha256_of
 
 KINDS = {".nc": "dataset", ".png": "figure", ".pdf": "figure", ".csv": "table"}
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from riserstudy.database.ask import ask, connect
 from riserstudy.database.sources import KINDS, described
 from riserstudy.errors import InputError, printable
-from riserstudy.folders import SEALS, fits_seal
+from riserstudy.files.seals import SEALS, fits_seal
 from riserstudy.study import store
 
 _KEY = re.compile(r"[0-9a-z]{1,64}")  # key of a stored point, which is the name of its file

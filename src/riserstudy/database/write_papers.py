@@ -7,10 +7,10 @@ import sqlite3
 from collections.abc import Iterator
 from pathlib import Path
 
-from riserstudy.csv_files import read_csv
 from riserstudy.database.sources import File, Sources
 from riserstudy.database.write_study import About, marks
 from riserstudy.errors import InputError
+from riserstudy.files.csv_files import read_csv
 from riserstudy.grading.published import published_path, read_published
 from riserstudy.grading.words import decided_by
 from riserstudy.records.graded import Grounds, Share

@@ -10,7 +10,7 @@ from pydantic import Field, RootModel
 
 from riserstudy.dataset.unit_names import UnitName
 from riserstudy.errors import InputError
-from riserstudy.folders import variables_of_chapter
+from riserstudy.files.chapters import variables_of_chapter
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.strict import Strict
 from riserstudy.inputs.validate import check

@@ -10,7 +10,7 @@ import numpy as np
 from riserstudy.dataset.limits import checked
 from riserstudy.dataset.provenance import package_version, provenance_of_run
 from riserstudy.dataset.variables import ENDINGS, attributes
-from riserstudy.digests import engine_digest
+from riserstudy.files.digests import engine_digest
 from riserstudy.scene.load import SceneFile
 
 if TYPE_CHECKING:

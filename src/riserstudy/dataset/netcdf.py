@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 from riserstudy.dataset.other_files import refuse_other_files
 from riserstudy.dataset.without import without
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.folders import partial_of
+from riserstudy.files.whole import partial_of
 from riserstudy.records.numerals import plain
 
 if TYPE_CHECKING:

@@ -13,8 +13,8 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from riserstudy.digests import engine_digest
 from riserstudy.errors import InputError
+from riserstudy.files.digests import engine_digest
 from riserstudy.inputs.plain_yaml import plain_fault
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.origin import Origin

@@ -7,13 +7,13 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from riserstudy.csv_files import write_csv as write_whole
 from riserstudy.dataset.recoil_table import recoil
 from riserstudy.dataset.stack_up import stack_up
 from riserstudy.dataset.table import OF_ROW, Cell, Table, aligned, heads
 from riserstudy.dataset.unit_systems import UnitSystem, read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
+from riserstudy.files.csv_files import write_csv as write_whole
 from riserstudy.scene.resolve import Resolved
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 
 from riserstudy.dataset.chapter_variables import joined_tables
-from riserstudy.folders import own_chapters
+from riserstudy.files.chapters import own_chapters
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.records.facts import point_columns
 from riserstudy.scene.outputs import QUANTITIES

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from riserstudy.dataset.table import Cell, Table, heads
 from riserstudy.errors import InputError, on_one_line
-from riserstudy.folders import whole_file
+from riserstudy.files.whole import whole_file
 
 ENDING = ".xlsx"
 WIDEST = 28.0  # largest width of a column, in characters

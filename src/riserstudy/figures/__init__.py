@@ -8,7 +8,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from riserstudy.folders import whole_file
+from riserstudy.files.whole import whole_file
 
 if TYPE_CHECKING:
     import xarray as xr

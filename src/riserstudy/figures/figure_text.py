@@ -17,7 +17,7 @@ from matplotlib.patches import Polygon
 from matplotlib.transforms import Bbox
 from numpy.typing import NDArray
 
-from riserstudy.csv_files import csv_text
+from riserstudy.files.csv_files import csv_text
 
 Array = NDArray[np.float64]
 

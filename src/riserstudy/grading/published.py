@@ -7,9 +7,9 @@ from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
-from riserstudy.digests import defining
 from riserstudy.errors import InputError
-from riserstudy.folders import chapter_modules
+from riserstudy.files.chapters import chapter_modules
+from riserstudy.files.digests import defining
 from riserstudy.grading.models import Checked, Option, PrintedNumber, PublishedFile, WordName
 from riserstudy.grading.words_file import WordsFile, read_words
 from riserstudy.inputs.plain_yaml import read_yaml

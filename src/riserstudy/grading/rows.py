@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass, fields
 from typing import Any
 
-from riserstudy.csv_files import csv_text
+from riserstudy.files.csv_files import csv_text
 from riserstudy.grading.words import depends_on, note
 from riserstudy.records.graded import Graded, ItemResult
 

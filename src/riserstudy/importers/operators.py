@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.csv_files import write_csv
 from riserstudy.errors import InputError
+from riserstudy.files.csv_files import write_csv
 from riserstudy.scene.rao import MOTIONS
 
 # share by which numbers that are equal may differ as printed

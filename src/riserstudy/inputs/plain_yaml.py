@@ -13,9 +13,9 @@ from typing import Any
 from ruamel.yaml import YAML
 from ruamel.yaml.error import YAMLError
 
-from riserstudy.digests import digest
 from riserstudy.errors import InputError
-from riserstudy.folders import remembered
+from riserstudy.files.cache import remembered
+from riserstudy.files.digests import digest
 from riserstudy.inputs.text import read_text
 from riserstudy.inputs.yaml_faults import in_words
 

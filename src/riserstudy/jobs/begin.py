@@ -16,7 +16,7 @@ from filelock import FileLock, Timeout
 from riserstudy.crate.former import of_former_results
 from riserstudy.crate.metadata import write_crate
 from riserstudy.errors import InputError
-from riserstudy.folders import is_partial
+from riserstudy.files.whole import is_partial
 from riserstudy.jobs import mend, seals
 from riserstudy.simulation.compile import marker
 

@@ -12,7 +12,7 @@ from typing import Any, Self, TypeVar
 
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError
-from riserstudy.folders import write_whole
+from riserstudy.files.whole import write_whole
 from riserstudy.grading.false_claims import read_false_claims
 from riserstudy.grading.models import PublishedFile
 from riserstudy.grading.published import published_path, read_published

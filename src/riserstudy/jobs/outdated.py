@@ -13,7 +13,7 @@ from pathlib import Path
 from riserstudy.crate.metadata import outputs_of
 from riserstudy.crate.records import recorded
 from riserstudy.errors import RiserStudyError
-from riserstudy.folders import SEALS
+from riserstudy.files.seals import SEALS
 from riserstudy.jobs.planned import CONFIG
 from riserstudy.jobs.workplan import Workplan
 

@@ -6,9 +6,9 @@ from collections.abc import Iterable, Mapping
 from functools import cache, partial
 from pathlib import Path
 
-from riserstudy.digests import dependencies, digest
 from riserstudy.errors import InputError
-from riserstudy.folders import remembered
+from riserstudy.files.cache import remembered
+from riserstudy.files.digests import dependencies, digest
 from riserstudy.grading.printed import printed_inputs, unprinted
 from riserstudy.grading.published import published_path
 from riserstudy.scene.load import SceneFile

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from riserstudy.folders import write_whole
+from riserstudy.files.whole import write_whole
 
 MEMORY = Path(".cache/steps.json")
 PLANNED = Path(".cache/points.json")  # planned points and shards of each study

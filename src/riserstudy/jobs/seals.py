@@ -12,11 +12,12 @@ from collections.abc import Collection, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from riserstudy import folders
-from riserstudy.folders import fits_seal, seal_line, write_whole
+from riserstudy.files import seals
+from riserstudy.files.seals import fits_seal, seal_line
+from riserstudy.files.whole import write_whole
 
 RESULTS = Path("results")  # in the folder where Snakemake runs
-SEALS = RESULTS / folders.SEALS
+SEALS = RESULTS / seals.SEALS
 
 
 def seal(*files: Path) -> None:

@@ -108,7 +108,7 @@ def note_ended(_signal: int, _frame: FrameType | None) -> None:
 
 def to_load_when_idle() -> list[Callable[[], object]]:
     """Return functions that load modules, and the digest of their sources, while the server is idle."""
-    from riserstudy.digests import engine_digest
+    from riserstudy.files.digests import engine_digest
 
     return [*(partial(import_module, name) for name in WHEN_IDLE), engine_digest]
 

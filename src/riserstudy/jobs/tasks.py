@@ -125,7 +125,7 @@ def shard(
 
     The target contains the number of points of the shard.
     """
-    from riserstudy.folders import write_whole
+    from riserstudy.files.whole import write_whole
     from riserstudy.study.settings import fill_tuned, read_settings, with_setting
     from riserstudy.study.simulate_points import fill
 
@@ -172,7 +172,7 @@ def sea_states(
     The target contains the number of sea states. Raises SimulationError when the largest number of sea states
     does not suffice.
     """
-    from riserstudy.folders import write_whole
+    from riserstudy.files.whole import write_whole
     from riserstudy.seas.seas_hours import simulate_part
 
     plan = read_plan(tier, [paper], only=[])
@@ -259,7 +259,7 @@ def grade(
 ) -> None:
     """Grade the numbers, claims and errata of a paper, and the false claims about it."""
     from riserstudy.chapters import checks_of
-    from riserstudy.folders import write_whole
+    from riserstudy.files.whole import write_whole
     from riserstudy.grading import grade as grading
     from riserstudy.grading.false_claims import read_false_claims
     from riserstudy.grading.falsify import FalseRow, false_rows
@@ -291,7 +291,7 @@ def join_tables(target: Path, sources: list[Path]) -> None:
 
     Raises InputError when a table cannot be read, or its columns differ.
     """
-    from riserstudy.folders import write_whole
+    from riserstudy.files.whole import write_whole
 
     texts = [text_of(source) for source in sources]
     headers = {text.partition("\n")[0] for text in texts}

@@ -15,9 +15,9 @@ from collections.abc import Set
 from pathlib import Path
 from typing import Any, Literal
 
-from riserstudy.digests import defining, dependencies, digest
 from riserstudy.figures import module_of_plot
-from riserstudy.folders import chapter_modules, variables_of_chapter
+from riserstudy.files.chapters import chapter_modules, variables_of_chapter
+from riserstudy.files.digests import defining, dependencies, digest
 from riserstudy.grading.false_claims import false_claims_path
 from riserstudy.grading.printed import with_printed
 from riserstudy.grading.published import published_path

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import jinja2
 
-from riserstudy.folders import whole_file
+from riserstudy.files.whole import whole_file
 from riserstudy.report.contents import Sources, contents
 from riserstudy.report.libraries import libraries, packed
 from riserstudy.report.wording import WORDING

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from scipy.stats import binomtest
 
-from riserstudy.csv_files import read_csv
+from riserstudy.files.csv_files import read_csv
 from riserstudy.report.wording import counted
 
 NAME = "false_claims.csv"

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.digests import engine_digest
+from riserstudy.files.digests import engine_digest
 from riserstudy.records.numerals import newtons
 from riserstudy.records.words import counted
 from riserstudy.scene.load import SceneFile

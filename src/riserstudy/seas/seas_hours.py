@@ -13,7 +13,7 @@ import xarray as xr
 
 from riserstudy.dataset.label import history
 from riserstudy.dataset.variables import attributes
-from riserstudy.digests import engine_digest
+from riserstudy.files.digests import engine_digest
 from riserstudy.scene.units import to_si
 from riserstudy.seas.directions import Directions, directions_that_count
 from riserstudy.seas.heading_parts import Effort, headings, riser_half_way, simulate

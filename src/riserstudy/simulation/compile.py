@@ -19,7 +19,7 @@ from typing import Any
 
 from filelock import FileLock
 
-from riserstudy.folders import write_whole
+from riserstudy.files.whole import write_whole
 from riserstudy.simulation.kernel_groups import GROUPS
 from riserstudy.solve.kernel_cache import kernel_cache
 

@@ -15,8 +15,8 @@ from importlib.metadata import version
 from pathlib import Path
 from typing import IO, Any
 
-from riserstudy.digests import kernel_digest
-from riserstudy.folders import cache_folder, own_part
+from riserstudy.files.cache import cache_folder, own_part
+from riserstudy.files.digests import kernel_digest
 
 SEAL = hashlib.sha256().digest_size  # bytes
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from riserstudy.digests import arguments_of
 from riserstudy.errors import InputError
-from riserstudy.folders import chapter_modules
+from riserstudy.files.chapters import chapter_modules
+from riserstudy.files.digests import arguments_of
 
 
 def refuse_arguments(

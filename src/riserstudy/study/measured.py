@@ -11,9 +11,9 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 
-from riserstudy.digests import defining
 from riserstudy.errors import InputError
-from riserstudy.folders import chapter_modules, import_of_chapter
+from riserstudy.files.chapters import chapter_modules, import_of_chapter
+from riserstudy.files.digests import defining
 from riserstudy.inputs.strict import Strict
 from riserstudy.inputs.validate import check
 from riserstudy.study.axes import Tier

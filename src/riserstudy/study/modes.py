@@ -6,7 +6,7 @@ import hashlib
 from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from riserstudy.digests import dependencies, digest
+from riserstudy.files.digests import dependencies, digest
 from riserstudy.study import store
 from riserstudy.study.grid import Point
 

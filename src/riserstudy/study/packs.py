@@ -15,7 +15,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from riserstudy.folders import write_whole
+from riserstudy.files.whole import write_whole
 
 if TYPE_CHECKING:
     import numpy as np

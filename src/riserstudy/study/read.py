@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from riserstudy.digests import defining
 from riserstudy.errors import InputError
-from riserstudy.folders import chapter_modules
+from riserstudy.files.chapters import chapter_modules
+from riserstudy.files.digests import defining
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.validate import check, refuse_other_paper
 from riserstudy.study.arguments import refuse_arguments

@@ -13,7 +13,7 @@ from riserstudy.dataset.extremes import OVER
 from riserstudy.dataset.label import labelled, to_dataset
 from riserstudy.dataset.place import own_values, place
 from riserstudy.dataset.provenance import read_provenance, scene_file_of
-from riserstudy.digests import engine_digest
+from riserstudy.files.digests import engine_digest
 from riserstudy.records.facts import point_columns
 from riserstudy.study.collect import laid_on, statistics
 from riserstudy.study.common_nodes import NODE_DIGITS

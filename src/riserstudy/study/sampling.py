@@ -7,7 +7,7 @@ from importlib.metadata import version
 from typing import Any
 
 from riserstudy.errors import InputError
-from riserstudy.folders import remembered
+from riserstudy.files.cache import remembered
 from riserstudy.scene.origin import Origin
 
 _PARTS = re.compile(r"\s*([-+0-9.eE]+)\s*(.*)")

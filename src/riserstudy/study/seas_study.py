@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from riserstudy.errors import InputError
-from riserstudy.folders import sha256_of
+from riserstudy.files.whole import sha256_of
 from riserstudy.inputs.validate import check
 from riserstudy.scene.load import SceneFile
 from riserstudy.study.axes import Labels, Tier

@@ -19,7 +19,7 @@ import numpy as np
 from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.folders import write_whole
+from riserstudy.files.whole import write_whole
 from riserstudy.records.words import counted
 from riserstudy.simulation.tolerance import allowed_of
 from riserstudy.study import store

@@ -23,9 +23,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from pydantic import BaseModel
 
-from riserstudy.digests import engine_digest
 from riserstudy.errors import SimulationError
-from riserstudy.folders import cache_folder, write_whole
+from riserstudy.files.cache import cache_folder
+from riserstudy.files.digests import engine_digest
+from riserstudy.files.whole import write_whole
 from riserstudy.scene.parts import Parts
 from riserstudy.study.needed import needed
 from riserstudy.study.packs import Packs, write_pack

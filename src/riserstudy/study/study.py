@@ -12,9 +12,9 @@ from itertools import combinations, product
 from pathlib import Path
 from typing import Any
 
-from riserstudy.digests import dependencies, digest, engine_digest
 from riserstudy.errors import InputError
-from riserstudy.folders import remembered
+from riserstudy.files.cache import remembered
+from riserstudy.files.digests import dependencies, digest, engine_digest
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import Origin, unwrap
 from riserstudy.scene.paths import as_name, last_name

@@ -10,7 +10,7 @@ from typing import Any
 from ruamel.yaml.nodes import MappingNode
 
 from riserstudy.errors import InputError
-from riserstudy.folders import whole_file
+from riserstudy.files.whole import whole_file
 from riserstudy.inputs.plain_yaml import MOST_BYTES
 from riserstudy.inputs.text import read_text
 from riserstudy.inputs.yaml_edits import Edit, applied, in_braces, in_lines, line_of, pairs_of, tree_of

@@ -10,9 +10,9 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from matplotlib.figure import Figure
 
-from riserstudy.csv_files import csv_text, read_csv, write_csv
 from riserstudy.errors import SimulationError
 from riserstudy.figures.figure_text import csv_table as values_of_figure
+from riserstudy.files.csv_files import csv_text, read_csv, write_csv
 from riserstudy.grading.rows import table as graded
 
 FORMULAS = [

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
+from riserstudy.files.syntax import meaning
 from riserstudy.folders import PACKAGE
-from riserstudy.syntax import meaning
 
-sys.path.append(str(Path(__file__).parent / "workflow"))
+sys.path.append(str(Path(__file__).parents[1] / "workflow"))
 from edits import edit, prose_edit
 
 FILES = sorted(PACKAGE.rglob("*.py"))

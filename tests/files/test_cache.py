@@ -6,11 +6,12 @@ import random
 import pytest
 import xarray as xr
 
-from riserstudy import folders
-from riserstudy.csv_files import write_csv
 from riserstudy.dataset.netcdf import write_netcdf
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.folders import cache_folder, remembered, whole_file, write_whole
+from riserstudy.files import cache as cache_files
+from riserstudy.files.cache import cache_folder, remembered
+from riserstudy.files.csv_files import write_csv
+from riserstudy.files.whole import whole_file, write_whole
 from riserstudy.solve.kernel_cache import kernel_cache
 
 
@@ -18,22 +19,22 @@ from riserstudy.solve.kernel_cache import kernel_cache
 def cache(tmp_path, monkeypatch):
     monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path / "cache"))
     (tmp_path / "cache").mkdir(mode=0o755)
-    folders._refuse_foreign.cache_clear()
+    cache_files._refuse_foreign.cache_clear()
     yield tmp_path / "cache"
-    folders._refuse_foreign.cache_clear()
+    cache_files._refuse_foreign.cache_clear()
 
 
 def test_a_cache_that_anyone_can_write_to_is_refused(cache):
     assert cache_folder() == cache
     cache.chmod(0o777)
-    folders._refuse_foreign.cache_clear()
+    cache_files._refuse_foreign.cache_clear()
     with pytest.raises(InputError, match="any user can write to this cache folder"):
         cache_folder()
 
 
 def test_a_cache_that_others_of_a_group_can_write_to_is_refused(cache, monkeypatch):
     cache.chmod(0o775)
-    monkeypatch.setattr(folders, "_group_of_one", lambda group: group != cache.stat().st_gid)
+    monkeypatch.setattr(cache_files, "_group_of_one", lambda group: group != cache.stat().st_gid)
     with pytest.raises(InputError, match="a group of users can write to this cache folder"):
         cache_folder()
 
@@ -42,9 +43,9 @@ def test_a_group_of_one_is_that_of_the_user_or_the_administrator():
     import grp
 
     others = [g.gr_gid for g in grp.getgrall() if g.gr_gid not in (0, os.getuid())]
-    assert folders._group_of_one(0)
-    assert folders._group_of_one(os.getuid())
-    assert not all(map(folders._group_of_one, others))
+    assert cache_files._group_of_one(0)
+    assert cache_files._group_of_one(os.getuid())
+    assert not all(map(cache_files._group_of_one, others))
 
 
 def test_compiled_kernels_that_others_can_replace_are_refused(cache):
@@ -74,7 +75,7 @@ def test_a_cache_of_another_user_is_refused(cache, monkeypatch):
 
 def test_an_installed_package_keeps_nothing_where_one_works(tmp_path, monkeypatch):
     monkeypatch.delenv("RISERSTUDY_CACHE", raising=False)
-    monkeypatch.setattr(folders, "PACKAGE", tmp_path / "lib/site-packages/riserstudy")
+    monkeypatch.setattr(cache_files, "PACKAGE", tmp_path / "lib/site-packages/riserstudy")
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "mine"))
     monkeypatch.chdir(tmp_path)
     assert cache_folder().name == "riserstudy"

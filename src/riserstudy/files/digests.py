@@ -16,8 +16,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from riserstudy.errors import InputError
-from riserstudy.folders import PACKAGE, keep, recall
-from riserstudy.syntax import meaning
+from riserstudy.files.cache import keep, recall
+from riserstudy.files.syntax import meaning
+from riserstudy.folders import PACKAGE
 
 #: folders of the packages whose sources count: this package, and the chapters of a user's study; modules in
 #: the current folder that chapters import count, too
@@ -209,7 +210,7 @@ def _kept() -> dict[str, list[Any]]:
 @cache
 def _name_kept() -> str:
     """Return the name in the cache, which contains a digest of the code that finds the facts."""
-    code = b"".join(Path(file).read_bytes() for file in (__file__, PACKAGE / "syntax.py"))
+    code = b"".join(Path(file).read_bytes() for file in (__file__, PACKAGE / "files/syntax.py"))
     return f"{KEPT}-{_hash(code)}"
 
 

@@ -20,7 +20,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from riserstudy.folders import whole_file
+from riserstudy.files.whole import whole_file
 
 #: start of a formula, after characters that spreadsheets may ignore: space, control and invisible ones
 _FORMULA = re.compile(r"[\s\x00-\x1f\x7f\xad\u200b-\u200f\u2060\ufeff]*[=+\-@\t\n]")

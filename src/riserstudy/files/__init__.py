@@ -1,0 +1,1 @@
+"""Files and folders: caches, whole files and their seals, CSV, chapters, digests of sources."""
