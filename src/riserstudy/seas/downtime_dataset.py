@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -44,67 +44,94 @@ def summarise(
 
     ``used``: quantities of the record that limits on the sea name.
     """
+    directed = not math.isnan(parts[0].heading.angle)
+    return [
+        *_of_seas(parts, directed),
+        *_of_demands(parts),
+        *_of_record(parts[0].riser.file, record, used),
+        *_of_headings(parts[0].riser.file, middles, record, directed),
+        *_of_rows(parts, middles, hours, directed),
+        *hours.modes[0].hours.notes,
+    ]
+
+
+def _of_seas(parts: Sequence[Part], directed: bool) -> Iterator[str]:
+    """Lines about the simulated sea states and their meshes."""
     riser = parts[0].riser
     count = sum(len(part.cover.states) for part in parts)
     compared = sum(int(part.cover.held_out.sum()) for part in parts)
     off = max(float(part.cover.error.max()) for part in parts)
-    directed = not math.isnan(parts[0].heading.angle)
     many = f" in {counted(len(parts), 'heading')}" if directed else ""
-    lines = [
+    yield (
         f"{counted(count, 'sea state')}{many} of {riser.exposure:g} s, {counted(riser.seeds, 'seed')} each; "
         f"at the {compared} sea states of the check, the interpolated response differs by up to {off:.1%}"
-    ]
+    )
     if meshes := [part.mesh for part in parts if part.mesh]:
         words = sorted({one.words for one in meshes})
         off = max(float(one.error.max()) for one in meshes)
-        lines.append(
+        yield (
             f"runs on {' or '.join(words)}; compared with runs that meet the scene's accuracy, demands "
             f"differ by up to {off:.1%}"
         )
-    lines += [
-        f"{name}: demands are those of runs minus {newtons(mud)}, the weight of the contents above the "
-        "riser's upper end"
-        for name, mud in zip(riser.labels, riser.mud, strict=True)
-        if mud > 0.0
-    ]
+
+
+def _of_demands(parts: Sequence[Part]) -> Iterator[str]:
+    """Lines about the meaning of demands, and about their errors."""
+    riser = parts[0].riser
+    for name, mud in zip(riser.labels, riser.mud, strict=True):
+        if mud > 0.0:
+            yield (
+                f"{name}: demands are those of runs minus {newtons(mud)}, the weight of the contents above "
+                "the riser's upper end"
+            )
     off = max(float(part.estimated.max()) for part in parts)
     if off > 0.0:
-        own = has_own_mesh(riser.file) and not meshes
+        own = has_own_mesh(riser.file) and not any(part.mesh for part in parts)
         kind = "mesh and step" if own else "accuracy"
-        lines.append(f"with the scene's {kind}, demands have an estimated error of up to {off:.1%}")
+        yield f"with the scene's {kind}, demands have an estimated error of up to {off:.1%}"
     if riser.seeds == 1:
-        lines.append("no band includes the effect of other seeds, which is unknown")
-    lines += _of_record(riser.file, record, used)
+        yield "no band includes the effect of other seeds, which is unknown"
+
+
+def _of_headings(
+    file: SceneFile, middles: Sequence[Middle], record: xr.Dataset, directed: bool
+) -> Iterator[str]:
+    """Lines about directions of the record, and about seas between the simulated headings."""
     if FROM in record and not directed:
         why = "all seas have the heading of the scene"
-        if not heading_paths(riser.file):
+        if not heading_paths(file):
             why = "the operators have no headings, so the response is equal from all sides"
-        lines.append(f"directions of the record are not used: {why}")
+        yield f"directions of the record are not used: {why}"
     if middles:
         count = sum(len(one.states) for one in middles)
         off = max(float(one.error.max()) for one in middles)
-        lines.append(
+        yield (
             f"at {count} sea states half-way between headings, the interpolated response differs by up to "
             f"{off:.1%}"
         )
     elif directed:
-        lines.append("each row uses the nearest heading; no band includes the effect of headings in between")
+        yield "each row uses the nearest heading; no band includes the effect of headings in between"
+
+
+def _of_rows(
+    parts: Sequence[Part], middles: Sequence[Middle], hours: RiserHours, directed: bool
+) -> Iterator[str]:
+    """Lines about sea states without a result, and about rows of the record that do not count."""
     risers = [*(part.riser for part in parts), *(middle.riser for middle in middles)]
     failures = [one for of in risers for one in of.failures.items()]
     for (height, period), why in failures[:3]:
-        lines.append(f"no result in {height:g} m, {period:g} s: {why}")
+        yield f"no result in {height:g} m, {period:g} s: {why}"
     if hours.unknown:
-        lines.append(
+        yield (
             f"{hours.unknown:.2%} of the rows are next to such seas, and count as not workable; limits with "
             "such rows have no return values"
         )
     if lacking := hours.modes[0].hours.lacking:
         direction = ", a direction" if directed else ""
-        lines.append(
+        yield (
             f"{counted(lacking, 'further row')} of the record without a height, a period{direction} or a "
             "value of a limit on the sea, not counted"
         )
-    return [*lines, *hours.modes[0].hours.notes]
 
 
 def _of_record(file: SceneFile, record: xr.Dataset, used: Collection[str]) -> list[str]:
