@@ -132,7 +132,7 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
     top = [one for one in ranked[:TOP] if one.changed]
     none = never(ranked)[:2]
     least = min((100 * one.changed // one.scenes for one in top), default=0)
-    number = listed(one.name for one in top) if top else "none"
+    number = sentence(listed(one.name for one in top) if top else "none").removesuffix(".")
     answers = []
     if top:
         added = any(one.added for one in top)

@@ -98,7 +98,7 @@ def test_the_tile_of_effects_states_a_share_of_scenes_that_no_effect_it_names_fa
     effects = xr.Dataset(every, {"change": [f"without {name}" for name in names]})
     (one,) = shown({"effects": effects})
     least = int(re.search(r"in at least (\d+)", one.answer)[1])
-    named = [k for k, name in enumerate(names) if name in one.number]
+    named = [k for k, name in enumerate(names) if name.lower() in one.number.lower()]
     shares = [100 * np.mean(sizes[np.isfinite(sizes[:, k]), k] > 0.01) for k in named]
     assert len(named) == min(3, len(names))
     assert least <= min(shares) < least + 1
