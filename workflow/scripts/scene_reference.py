@@ -51,11 +51,11 @@ set of simulations) can vary all *assumed* values with a `range` or `options` to
 of a scene was fitted to a published number. A *derived* value of a scene was computed from other values. A
 *chosen* value of a scene does not describe the riser; examples are the datum of elevations and the output
 interval. The list `inputs` of a file in `config/published` contains the values that a paper prints. In the
-scene of a paper, every value without a stated origin must be in this list `inputs`.
+scene of a paper, every value without a stated origin must be in the paper's list `inputs`.
 
 You can give a table of scene values as a CSV file next to the scene file, for example `profile: {file:
-current.csv}`. The first line of such a CSV file gives the names of the columns with their units, in any
-order. The following keys of a scene accept a CSV file with these columns:
+current.csv}`. The first line of a CSV file for a scene gives the names of the columns with their units, in
+any order. The following keys of a scene accept a CSV file with these columns:
 
 %s
 
@@ -63,9 +63,9 @@ In the table of response amplitude operators (`operators`), each motion can have
 phase, for example `heave_phase`.
 
 Editors that support JSON schema can complete and check scene files. The command `riserstudy schema` prints
-the JSON schema of scene files, [`scene.schema.json`](../workflow/schemas/scene.schema.json). To use this
-JSON schema in an editor, write the following comment in the first line of a scene file. The path in this
-comment is relative to the folder of the scene file:
+the JSON schema of scene files, [`scene.schema.json`](../workflow/schemas/scene.schema.json). To use the JSON
+schema of scene files in an editor, write the following comment in the first line of a scene file. The path
+of the schema in this comment is relative to the folder of the scene file:
 
 ```yaml
 # yaml-language-server: $schema=../../../workflow/schemas/scene.schema.json

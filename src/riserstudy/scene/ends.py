@@ -157,9 +157,9 @@ class JointStop(Strict):
 
     The extension and compression at the stops are measured like the stroke of the telescopic joint. The
     ``stroke`` of the stops is the largest extension of a telescopic joint. The ``collapse`` is the largest
-    compression of a telescopic joint, at which the barrels meet and push. Without the key ``stroke`` or
-    ``collapse``, a telescopic joint has no stop in this direction. Both stops of a telescopic joint are
-    elastic, without energy loss.
+    compression of a telescopic joint, at which the barrels meet and push. Without the key ``stroke``, a
+    telescopic joint has no stop in extension; without ``collapse``, it has no stop in compression. Both
+    stops of a telescopic joint are elastic, without energy loss.
     """
 
     stroke: Annotated[u.Length, POSITIVE] | None = None
@@ -237,21 +237,21 @@ class Top(Strict):
     or is free.
 
     With ``x: vessel``, the riser's top moves with a vessel whose motion is computed, in the directions in
-    which the vessel is free. If such a scene also has a ``platform``, the engine adds its horizontal
-    first-order (wave-frequency) motions to the motion of the vessel. With ``z: platform``, the riser's top
-    also follows the vertical first-order (wave-frequency) motions. The deck of the tensioners is always
-    vertically above the riser's top, so an ``offset`` moves the top and the deck.
+    which the vessel is free. If a scene with ``x: vessel`` has a ``platform``, the engine adds its
+    horizontal first-order (wave-frequency) motions to the motion of the vessel. With ``z: platform``, the
+    riser's top also follows the vertical first-order (wave-frequency) motions. The deck of the tensioners is
+    always vertically above the riser's top, so an ``offset`` moves the top and the deck.
 
     Without ``offset``, the riser's top is vertically above its bottom. Without ``elevation``, the riser's
     top has the height of the static equilibrium. At the riser's top, tension, tension loss, force,
     tensioners and body are absent if they are not given. With ``held_at_tension``, the engine computes the
-    height at which the riser's top is held. At this height, the vertical component of the pull on the static
-    riser equals the given force ``held_at_tension``. If there is a body at the riser's top, the pull just
-    below this body equals the force ``held_at_tension``. For ``held_at_tension``, the platform is in its
-    position in calm water, and the current has its full speed. If the top's ``x`` follows the platform, a
-    flex joint or clamp at the top rotates with the platform. With a telescopic joint, the riser's top is the
-    upper end of the joint. With a telescopic joint, ``tension``, ``tensioners``, ``lateral_force`` and
-    ``body`` are at the tension ring, below the joint.
+    height at which the riser's top is held. At the computed height, the vertical component of the pull on
+    the static riser equals the given force ``held_at_tension``. If there is a body at the riser's top, the
+    pull just below the body equals the force ``held_at_tension``. For ``held_at_tension``, the platform is
+    in its position in calm water, and the current has its full speed. If the top's ``x`` follows the
+    platform, a flex joint or clamp at the top rotates with the platform. With a telescopic joint, the
+    riser's top is the upper end of the joint. With a telescopic joint, ``tension``, ``tensioners``,
+    ``lateral_force`` and ``body`` are at the tension ring, below the joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

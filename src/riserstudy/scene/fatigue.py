@@ -81,9 +81,9 @@ class OwnCurve(Strict):
 class StandardCurve(Strict):
     """An S-N curve of DNV-RP-C203, selected by its class (B1 to W3) and its environment.
 
-    The numbers of these S-N curves and their source are in ``scene/sn_curves.yaml`` of the package. Editions
-    of DNV-RP-C203 differ, so compare the S-N curves with the edition that you must use. If the S-N curves
-    differ from your edition of DNV-RP-C203, give your own curve (``OwnCurve``).
+    The file ``scene/sn_curves.yaml`` of the package contains the numbers of the S-N curves and their source.
+    Editions of DNV-RP-C203 differ, so compare the S-N curves with the edition that you must use. If the S-N
+    curves differ from your edition of DNV-RP-C203, give your own curve (``OwnCurve``).
     """
 
     detail_class: str
@@ -157,9 +157,9 @@ class Fatigue(Strict):
     """Fatigue damage of details, by rainflow counting of stress and S-N curves (Palmgren and Miner).
 
     The key ``angles`` of ``fatigue`` is the number of places around the wall for which the engine computes
-    damage. The first of these places around the wall is on the side of +x. Between two places around the
-    wall, the damage can be larger than at both places. The factor is at most cos(pi / angles)^-m, with the
-    exponent m of the S-N curve.
+    damage. The first place around the wall at which fatigue damage is computed is on the side of +x. Between
+    two places around the wall, the damage can be larger than at both places. The factor is at most cos(pi /
+    angles)^-m, with the exponent m of the S-N curve.
     """
 
     angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]

@@ -133,7 +133,7 @@ class Centre(Strict):
 
     Without x and y, the platform's centre of rotation is vertically above the well, even if the riser's top
     has an `offset`. If the platform has an offset, the x of its centre of rotation is therefore usually
-    equal to this offset. A `position` of the platform moves its centre of rotation, too.
+    equal to the offset. A `position` of the platform moves its centre of rotation, too.
     """
 
     x: u.Length | None = None

@@ -104,20 +104,21 @@ class Response(Strict):
     A table of RAOs is given as ``{file: name.csv}``. The key ``phases`` states whether the phases of the
     RAOs are leads or lags, relative to a wave crest at the platform. The surface elevation at the platform
     is a cos(w t - p), with the wave amplitude a, the angular frequency w and the phase p. If the key
-    ``wave`` of the response gives the wave, p is the phase of this wave. If the key ``wave`` of the scene
-    gives the wave, p is the phase of the wave plus k x, with the wave number k. In this phase, x is the
-    platform's position in the direction of the wave, including its offset at rest and the distance covered
-    by a cruise. ``headings`` states whether the headings of RAOs are directions that waves travel to
-    (``towards``) or come from (``from``). Between wave headings, RAOs are interpolated linearly. The rows of
-    a table of RAOs can be in any order. With ``symmetry``, the engine mirrors the RAOs at a given wave
-    heading to obtain the RAOs at a missing heading. With ``symmetry: sides``, the RAOs are mirrored in the
-    x-z plane. With ``symmetry: sides and ends``, the RAOs are mirrored in the x-z plane and in the y-z
-    plane. The key ``beyond`` defines the response to waves with periods outside the range of the RAOs. With
-    ``beyond: hold``, the end values of the RAOs apply outside their range; with ``beyond: zero``, the
-    platform does not respond there. By default (``beyond: refuse``), the engine refuses waves with periods
-    outside the range of the RAOs. A warning states the share of the wave energy at periods outside the range
-    of the RAOs. By default, the platform responds to the wave of the scene, without a ramp, in all motions
-    for which the table gives RAOs. A wave that is given in the key ``response`` travels along x by default.
+    ``wave`` of ``response`` gives the wave, the phase p in the surface elevation is the phase of the wave.
+    If the key ``wave`` of the scene gives the wave, p is the phase of the wave plus k x, with the wave
+    number k. In the phase p, x is the platform's position in the direction of the wave, including its offset
+    at rest and the distance covered by a cruise. ``headings`` states whether the headings of RAOs are
+    directions that waves travel to (``towards``) or come from (``from``). Between wave headings, RAOs are
+    interpolated linearly. The rows of a table of RAOs can be in any order. With ``symmetry``, the engine
+    mirrors the RAOs at a given wave heading to obtain the RAOs at a missing heading. With ``symmetry:
+    sides``, the RAOs are mirrored in the x-z plane. With ``symmetry: sides and ends``, the RAOs are mirrored
+    in the x-z plane and in the y-z plane. The key ``beyond`` defines the response to waves with periods
+    outside the range of the RAOs. With ``beyond: hold``, the end values of the RAOs apply outside their
+    range; with ``beyond: zero``, the platform does not respond there. By default (``beyond: refuse``), the
+    engine refuses waves with periods outside the range of the RAOs. A warning states the share of the wave
+    energy at periods outside the range of the RAOs. By default, the platform responds to the wave of the
+    scene, without a ramp, in all motions for which the table gives RAOs. A wave that is given in the key
+    ``response`` travels along x by default.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]

@@ -34,8 +34,8 @@ class Drag(Strict):
     With ``direction: horizontal``, only horizontal velocities cause drag, and the drag acts in x and y only.
     The drag coefficient of a riser section is one number, or a table over elevation with linear
     interpolation. The engine evaluates a table of drag coefficients at the present elevation of the moving,
-    stretched pipe. Above and below the elevations of such a table, the drag coefficient has the value at the
-    nearest end.
+    stretched pipe. Above and below the elevations of a table of drag coefficients, the coefficient has the
+    value at the nearest end.
     """
 
     coefficient: Coefficient | Annotated[list[CoefficientAt], Field(min_length=2)]
@@ -120,16 +120,16 @@ class InLineExcitation(Strict):
 class VortexInducedVibration(Strict):
     """Vortex-induced vibration across the flow, by the synchronisation model of Thorsen and others (2014).
 
-    In this model of vortices, a lift force acts across the flow relative to the pipe. The amplitude of the
-    lift force per length is C_v rho D / 2 times the squared flow speed. The phase of the lift force of the
-    vortices synchronises with the velocity of the riser. A riser section with ``viv`` must also have drag
-    across the pipe, because drag limits the amplitude. The engine simulates a scene with ``viv`` in three
-    dimensions.
+    With ``viv``, a lift force of the vortices acts across the flow relative to the pipe. The amplitude of
+    the lift force per length is C_v rho D / 2 times the squared flow speed. The phase of the lift force of
+    the vortices synchronises with the velocity of the riser. A riser section with ``viv`` must also have
+    drag across the pipe, because drag limits the amplitude. The engine simulates a scene with ``viv`` in
+    three dimensions.
 
     The ``coefficient`` of ``viv`` is C_v, with a published value of 1.2. The key ``frequencies`` of ``viv``
-    lists three frequencies of the lift force, as multiples of flow speed divided by diameter. The first of
-    these frequencies is the lowest frequency of the lift force. The second of these frequencies is the
-    frequency at which lift force and velocity are in phase. The third of these frequencies is the highest
+    lists three frequencies of the lift force, as multiples of flow speed divided by diameter. The first
+    frequency of ``viv`` is the lowest frequency of the lift force. The second frequency of ``viv`` is the
+    frequency at which lift force and velocity are in phase. The third frequency of ``viv`` is the highest
     frequency of the lift force. The published frequencies of the lift force are 0.11, 0.18 and 0.26. The
     mean square of the motion is taken over the time in which the water flows ``memory`` diameters, for
     example 20. The key ``seed`` of ``viv`` determines the initial phases of the lift force, which vary
@@ -167,8 +167,8 @@ class Contents(Strict):
     ``submerged_weight``. The contents of the riser reach up to ``level``, by default to the upper end of the
     highest section with contents. The gauge pressure of the contents on the wall is the static pressure of
     the column of contents up to ``level``. If a riser section between others has no contents, the pressure
-    below this section is unknown. The engine then does not compute the von Mises stress below the section
-    without contents.
+    below this section is unknown. Below a riser section without contents between others, the engine does not
+    compute the von Mises stress.
     """
 
     density: Annotated[u.Density, POSITIVE]
@@ -199,7 +199,7 @@ class InnerJoint(Strict):
 class Guide(Strict):
     """Spring between the lower end of a riser section and the vertical axis of the well.
 
-    The stiffness of this spring towards the well axis is the same in all horizontal directions.
+    The stiffness of the spring towards the well axis is the same in all horizontal directions.
     """
 
     stiffness: Annotated[u.Stiffness, POSITIVE]
@@ -220,23 +220,23 @@ class Section(Strict):
     the weight of the water that the *outer* surface displaces. The weight of ``contents`` is not included in
     ``submerged_weight``. As an example for ``submerged_weight``, a bare steel pipe has an outer diameter of
     21 in, an inner diameter of 19 in and a mass of 318.2 kg/m. In sea water of 1025 kg/m^3, with a gravity
-    of 9.81 m/s^2, the submerged weight of this pipe is 874.7 N/m. If this pipe is full of mud of 1200
-    kg/m^3, ``contents`` add 2153.4 N/m to its weight. There are two ways to describe the weight of a pipe
-    full of sea water. Either give this pipe a ``submerged_weight`` of 2714.1 N/m without contents, or a
-    ``submerged_weight`` of 874.7 N/m with contents of 1025 kg/m^3. If a riser section has no
-    ``submerged_weight``, the engine computes the submerged weight from mass, diameters, gravity and water. A
-    riser section without ``submerged_weight`` must therefore have an inner diameter and ``contents``;
-    otherwise the engine refuses the scene. For a riser section that is wholly above the water,
-    ``submerged_weight`` is the weight in air. The engine divides a riser section at the water surface if the
-    section crosses the surface and has no ``submerged_weight``, or has modules or lines. In results, the
-    part of such a section above the water is named ``<name>, above water``. For this part above the water,
-    the engine adds the weight of the water displaced by the outer diameter to a given ``submerged_weight``.
+    of 9.81 m/s^2, the submerged weight of this example pipe is 874.7 N/m. If the example pipe is full of mud
+    of 1200 kg/m^3, ``contents`` add 2153.4 N/m to its weight. There are two ways to describe the weight of a
+    pipe full of sea water. Give the example pipe either a ``submerged_weight`` of 2714.1 N/m without
+    contents, or 874.7 N/m with contents of 1025 kg/m^3. If a riser section has no ``submerged_weight``, the
+    engine computes the submerged weight from mass, diameters, gravity and water. A riser section without
+    ``submerged_weight`` must therefore have an inner diameter and ``contents``; otherwise the engine refuses
+    the scene. For a riser section that is wholly above the water, ``submerged_weight`` is the weight in air.
+    The engine divides a riser section at the water surface if the section crosses the surface and has no
+    ``submerged_weight``, or has modules or lines. In results, the part of a divided riser section above the
+    water is named ``<name>, above water``. For a part above the water, the engine adds the weight of the
+    water displaced by the outer diameter to a given ``submerged_weight``.
 
     The key ``buoyancy_lift`` of a riser section is the net lift of buoyancy modules in water. The value of
     ``buoyancy_lift`` has no effect on the simulation, because ``submerged_weight`` already includes the lift
     of the modules. Only the minimum tension formula of the command ``riserstudy tension`` requires
     ``buoyancy_lift``, because the formula treats steel and modules separately. Without ``buoyancy_lift``,
-    the command ``riserstudy tension`` does not evaluate this formula.
+    the command ``riserstudy tension`` does not evaluate the formula for the minimum tension.
 
     If a riser section has ``modules`` or ``lines``, its given mass, weight and stiffness refer to the pipe
     alone. The engine adds the mass, weight and stiffness of buoyancy modules and auxiliary lines to the

@@ -60,7 +60,7 @@ class RegularWave(Swell, Wave):
     ramp, on a riser in static equilibrium. For a wave, ``above_mean_level`` defines the water velocities
     above the mean level: ``none`` (zero), ``constant`` (the velocity at the mean level), or ``stretched``
     (Wheeler's stretched profile). A regular wave that is higher than 0.142 L tanh(k d) would break, and
-    causes a warning. In this limit of breaking, L is the length of the wave, k its wave number and d the
+    causes a warning. In the limit of breaking, L is the length of the wave, k its wave number and d the
     depth of the water.
     """
 

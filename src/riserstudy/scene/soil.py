@@ -20,8 +20,9 @@ class Matlock(Strict):
 
     The undrained shear strength of soft clay increases linearly with depth. Matlock's p-y curve (resistance
     over displacement) is infinitely stiff at zero displacement. Up to a small displacement, a straight line
-    therefore replaces Matlock's p-y curve. This straight line ends at the displacement ``straight_up_to``
-    times y50, where y50 is the displacement at half of the ultimate resistance.
+    therefore replaces Matlock's p-y curve. The straight line in place of Matlock's curve ends at the
+    displacement ``straight_up_to`` times y50, where y50 is the displacement at half of the ultimate
+    resistance.
     """
 
     strength_at_mudline: Annotated[u.Modulus, NOT_NEGATIVE]
@@ -107,9 +108,10 @@ class SoilDamping(DampingAtPeriod):
 
     The ``ratio`` of soil damping is the damping ratio (damping divided by critical damping) at one period of
     motion. In a cycle with the period ``at_period`` and the amplitude ``at_displacement``, a soil dashpot
-    dissipates 4 pi ``ratio`` times the elastic energy of its soil spring. This elastic energy is computed
-    with the secant stiffness of the soil spring. Choose ``at_period`` of the soil damping close to the
-    period of motion: at longer periods, dashpots dissipate less energy per cycle, but real soil does not.
+    dissipates 4 pi ``ratio`` times the elastic energy of its soil spring. The elastic energy for soil
+    damping is computed with the secant stiffness of the soil spring. Choose ``at_period`` of the soil
+    damping close to the period of motion: at longer periods, dashpots dissipate less energy per cycle, but
+    real soil does not.
     """
 
     at_displacement: Annotated[u.Length, POSITIVE] | None = None

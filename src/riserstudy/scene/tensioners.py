@@ -47,8 +47,8 @@ class Gas(Chamber):
     """One gas chamber per cylinder, with the pull F = A P (V / (V - A reach))^k - A outside.
 
     In the formula of the cylinder's pull F, A is the area, k the exponent, and P and V are pressure and
-    volume at mid-stroke. In this formula, ``reach`` is the cylinder's extension from mid-stroke, and
-    ``outside`` is the external pressure.
+    volume at mid-stroke. In the formula of the cylinder's pull, ``reach`` is the extension from mid-stroke,
+    and ``outside`` is the external pressure.
     """
 
     exponent: Annotated[float, Field(gt=1)]
@@ -70,7 +70,8 @@ class TwoChamberGas(Strict):
 
     The gas at high pressure in a two-chamber cylinder pulls the tension ring up. In a two-chamber cylinder,
     the low-pressure gas and the weight of the pistons act against the pull of the high-pressure gas. The
-    pull of a two-chamber cylinder is the difference of these forces.
+    pull of a two-chamber cylinder is the difference between the force of the high-pressure gas and the
+    opposing forces.
 
     Without the key ``pistons``, the tensioner pistons have neither weight nor mass.
     """
@@ -203,7 +204,7 @@ class Tensioners(Strict):
     By default, tensioner cylinders have no damping and no stops.
 
     In one state of the riser, all tensioner cylinders are at mid-stroke; the key ``mid_stroke`` selects this
-    state. In this mid-stroke state, the riser is either unstretched, or in equilibrium with the tension that
+    state. In the mid-stroke state, the riser is either unstretched, or in equilibrium with the tension that
     the cylinders have at mid-stroke. In the mid-stroke state, the riser is vertical, in still water, at an
     offset of zero.
 

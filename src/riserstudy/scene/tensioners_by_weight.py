@@ -13,9 +13,9 @@ from riserstudy.scene.base import POSITIVE
 class DampingRatio(Strict):
     """Damping of tensioner cylinders as a ratio of critical damping.
 
-    For the damping of tensioners, the engine computes critical damping for a single mass on a spring. This
-    mass is the suspended mass of the riser. The stiffness of this spring is the vertical stiffness of the
-    tensioner cylinders.
+    For the damping of tensioners, the engine computes critical damping for a single mass on a spring. For
+    the damping of tensioners, the mass is the suspended mass of the riser. For the damping of tensioners,
+    the stiffness of the spring is the vertical stiffness of the tensioner cylinders.
     """
 
     ratio: Annotated[float, POSITIVE]

@@ -75,12 +75,12 @@ class Thrusters(Strict):
     velocity of the vessel. The gains of thrusters refer to the directions of the hull in its initial
     position. Without ``heading``, the commanded position of the thrusters is on the x axis. Without
     ``velocity_gain``, the thrusters do not damp the vessel's motion. Without ``saturation``, the thrust is
-    unlimited. With ``saturation``, the magnitude of the thrust is limited to this value in all directions.
-    By default, the commanded position of the thrusters applies from the start. With ``rise``, the commanded
-    position of the thrusters increases as 1 - exp(-t / rise). By default, the thrust follows its command
-    immediately. With ``lag``, the thrust follows its command with the time constant ``lag``. Without
-    ``sway``, the thrusters exert no thrust across the hull. Without ``yaw``, the thrusters exert no moment
-    on the vessel.
+    unlimited. With ``saturation``, the magnitude of the thrust is limited to the value of ``saturation`` in
+    all directions. By default, the commanded position of the thrusters applies from the start. With
+    ``rise``, the commanded position of the thrusters increases as 1 - exp(-t / rise). By default, the thrust
+    follows its command immediately. With ``lag``, the thrust follows its command with the time constant
+    ``lag``. Without ``sway``, the thrusters exert no thrust across the hull. Without ``yaw``, the thrusters
+    exert no moment on the vessel.
     """
 
     gain: Annotated[u.Stiffness, NOT_NEGATIVE]
@@ -120,10 +120,10 @@ class Coupling(Strict):
     """Platform and riser solved alternately, over intervals.
 
     With the coupling ``staggered``, the platform first moves over each interval under the riser's force at
-    the start of the interval. In the same interval, the engine then simulates the riser with this motion of
-    the platform. With the coupling ``iterated``, the engine repeats each interval with the new force of the
-    riser, until the platform motion changes by less than ``tolerance``. The default ``tolerance`` of the
-    coupling is the limit for corrections of positions in Newton's iteration.
+    the start of the interval. In each coupling interval, the engine then simulates the riser with the
+    computed motion of the platform. With the coupling ``iterated``, the engine repeats each interval with
+    the new force of the riser, until the platform motion changes by less than ``tolerance``. The default
+    ``tolerance`` of the coupling is the limit for corrections of positions in Newton's iteration.
     """
 
     scheme: Literal["staggered", "iterated"]
@@ -181,9 +181,9 @@ class Vessel(Strict):
     given.
 
     In a scene with a ``vessel``, the key ``platform`` gives first-order motions in waves. The engine adds
-    these first-order motions to the slow motion of the vessel. The riser's top and the deck move with the
-    sum of slow and first-order motions of a vessel. Hull drag, inertia and thrusters of a vessel respond
-    only to its slow motion. The mean wave drift of the vessel is a constant force. The outputs
+    first-order motions of the platform to the slow motion of the vessel. The riser's top and the deck move
+    with the sum of slow and first-order motions of a vessel. Hull drag, inertia and thrusters of a vessel
+    respond only to its slow motion. The mean wave drift of the vessel is a constant force. The outputs
     ``low_frequency_surge`` and ``low_frequency_sway`` give the slow motion of a vessel. The outputs
     ``platform_surge`` and ``platform_sway`` give the sum of slow and first-order motions.
     """
