@@ -164,6 +164,23 @@ def test_an_unpacked_crate_reruns_by_one_command(study, commands, tmp_path):
     assert same(packed, numbers(unpacked))
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_a_changed_input_of_an_unpacked_crate_is_named(study, commands, tmp_path, seed):
+    commands("crate", tmp_path / "study.zip", "--study", study[0])
+    unpacked = tmp_path / "of a stranger"
+    with zipfile.ZipFile(tmp_path / "study.zip") as archive:
+        archive.extractall(unpacked)
+    code, said, wrong = commands("verify", "--results", unpacked / "results")
+    assert (code, wrong, said.splitlines()[0].split(" in ")[0]) == (0, "", "0 faults")
+    files = sorted(path for path in (unpacked / "config").rglob("*") if path.is_file())
+    file = random.Random(seed).choice([*files, unpacked / "Snakefile"])
+    file.write_bytes(file.read_bytes() + b"\n")
+    code, said, _ = commands("verify", "--results", unpacked / "results")
+    assert code == 1
+    assert said.startswith(f"{file}: differs from its checksum in {NAME}; ")
+    assert "1 fault in" in said
+
+
 def test_files_older_than_a_zip_can_say_are_packed(study, commands, tmp_path):
     """As in archives that are made to be the same twice: their files are of 1970."""
     subprocess.run(["cp", "-a", study[0], tmp_path / "old"], check=True)

@@ -33,7 +33,7 @@ def test_what_is_no_text_file_is_refused(kind, tmp_path):
     path = tmp_path / "scene.yaml"
     make(path)
     with pytest.raises(InputError, match=why):
-        read_text(path, 100)
+        read_text(path, 100, named_in_scene=True)
 
 
 @pytest.mark.parametrize("name", ["/dev/zero", "a\0b", "x" * 300])

@@ -143,23 +143,28 @@ def _show(answer: Any, csv: Path | None, as_json: bool, units: dict[str, str] | 
 def verify(folder: ResultsOption = IN_RESULTS) -> None:
     """Compare the report, every dataset, figure, table and stored point with its recorded checksum.
 
-    The exit status is 1 if a file or stored point differs from its checksum.
+    In a folder that was unpacked from a run crate, the command also compares every input of the study. The
+    exit status is 1 if a file or stored point differs from its checksum.
     """
+    from riserstudy.crate.received import changed_inputs, inputs_in
     from riserstudy.database.ask import NAME
     from riserstudy.database.verify import verify as verified
 
+    study = folder.parent if folder.name else folder.resolve().parent
+    inputs = inputs_in(study)
     verdict = verified(folder / NAME)
-    for line in verdict.wrong:
+    wrong = [*changed_inputs(study, inputs), *verdict.wrong]
+    for line in wrong:
         print(line)
     print(
-        f"{counted(len(verdict.wrong), 'fault')} in {counted(verdict.files, 'file')} "
+        f"{counted(len(wrong), 'fault')} in {counted(len(inputs) + verdict.files, 'file')} "
         f"and {counted(verdict.points, 'point')}"
     )
     if verdict.missing:
         print(
             f"not in this store: {counted(verdict.missing, 'point')}; the datasets are complete without them"
         )
-    if verdict.wrong:
+    if wrong:
         raise typer.Exit(1)
 
 

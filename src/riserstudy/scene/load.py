@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -149,7 +150,8 @@ def first_step(path: str, layer: str) -> str:
 def read_scene(path: str | Path, *, keep: bool = False) -> SceneFile:
     """A scene file with its origins; checked only to be plain YAML. ``keep`` caches the parsed data.
 
-    Raises InputError when the file cannot be read or is not plain YAML, or an origin is malformed.
+    A link stands for the file that it points to, whose folder has the tables of the scene. Raises InputError
+    when the file cannot be read or is not plain YAML, or an origin is malformed.
     """
     data = read_yaml(Path(path), keep=keep)
     if not isinstance(data, dict):
@@ -158,7 +160,15 @@ def read_scene(path: str | Path, *, keep: bool = False) -> SceneFile:
     tree, origins, faults = unwrap(data)
     if faults:
         raise InputError(path, *faults[0])
-    return SceneFile(str(path), tree, origins)
+    return SceneFile(_without_link(path), tree, origins)
+
+
+def _without_link(path: str | Path) -> str:
+    """The path of a readable file, or of the file that it points to if it is a symbolic link."""
+    if not Path(path).is_symlink():
+        return str(path)
+    real = Path(path).resolve()
+    return str(real) if Path(path).is_absolute() else os.path.relpath(real)
 
 
 def load_scene(path: str | Path, **overrides: Any) -> SceneFile:

@@ -138,7 +138,7 @@ def texts_of_tables(tree: Any, folder: Path, held: Mapping[str, str] | None = No
     names = sorted({*names_of_tables(tree)})
     if held is not None:
         return {name: _held(name, held) for name in names}
-    return {name: read_text(_file(folder, name), MOST_BYTES) for name in names}
+    return {name: read_text(_file(folder, name), MOST_BYTES, named_in_scene=True) for name in names}
 
 
 def _rows_of(name: object, place: Place, folder: Path, held: Mapping[str, str] | None) -> list[Strict]:
@@ -190,7 +190,7 @@ def read_table(path: Path, place: Place) -> list[Strict]:
 
 @lru_cache(64)
 def _read(path: Path, stamp: tuple[int, int], place: Place) -> list[Strict]:
-    return _rows(_lines(path, read_text(path, MOST_BYTES)), path, place)
+    return _rows(_lines(path, read_text(path, MOST_BYTES, named_in_scene=True)), path, place)
 
 
 def _rows(lines: list[list[str]], path: object, place: Place) -> list[Strict]:
