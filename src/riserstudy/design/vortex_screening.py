@@ -39,6 +39,7 @@ PHASES = 64  # number of phases of a cycle over which power is averaged
 LARGEST = 10.0  # largest ratio of amplitude to diameter in the search for a balance
 FIRST = 20  # number of modes computed first; more follow, as long as the current can excite them
 TWINS = 1e-3  # largest relative difference of frequencies of one mode in two directions
+TURNS = 90  # directions of vibration that are compared, over half a turn
 PARTS = 32  # of a segment, along each of which the speed is linear; even, so that the middle is an end
 HALF_WAVE = 4.0  # segments in a half-wave of a mode from which on the mesh resolves it
 LEAST_ACROSS = 0.1  # smallest share of a mode's motion across the flow, where it may lock in
@@ -240,32 +241,47 @@ def amplitude_of(
     return float(brentq(gained, least, largest, xtol=1e-12 * largest))
 
 
-def _shapes(flow: Flow, found: xr.Dataset) -> tuple[FloatArray, FloatArray]:
+def _shapes(flow: Flow, found: xr.Dataset, given: Coefficients) -> tuple[FloatArray, FloatArray]:
     """Magnitude of modes across the riser, (modes, n), and of their component across the flow.
 
     In a plane both are equal: its modes represent the modes across the plane. In space, two modes of one
     frequency may vibrate in any two directions; they are rotated to maximise the power that one of them
-    receives.
+    receives where it may lock in.
     """
     nodes = np.stack([found[name].values for name in "xyz" if name in found], axis=1)
     middles = 0.5 * (nodes[:, :, :-1] + nodes[:, :, 1:])
     if flow.across is None:
         size = np.sqrt(np.square(middles[:, :-1]).sum(axis=1))
         return size, size
-    frequency, weight = found["frequency"].values, flow.length * flow.diameter * flow.speed**2
+    frequency, power = found["frequency"].values, flow.length * flow.diameter * flow.speed**2
     k = 0
     while k < len(middles) - 1:
         pair = middles[k : k + 2]
         if frequency[k] > 0.0 and frequency[k + 1] <= (1.0 + TWINS) * frequency[k]:
-            part = (pair * flow.across).sum(axis=1)
-            _, turned = np.linalg.eigh((part * weight) @ part.T)
-            if abs(turned[0, 0]) < abs(turned[1, 0]):
-                turned = turned[:, ::-1]
-            middles[k : k + 2] = np.einsum("ij,ikn->jkn", turned, pair)
+            share = flow.excited(frequency[k], given)[0].mean(axis=0)
+            turn = _strongest((pair * flow.across).sum(axis=1), share * power)
+            c, s = math.cos(turn), math.sin(turn)
+            middles[k : k + 2] = np.einsum("ij,jkn->ikn", np.array([[c, s], [-s, c]]), pair)
             k += 1
         k += 1
     across = np.abs((middles * flow.across).sum(axis=1))
     return np.sqrt(np.square(middles[:, :-1]).sum(axis=1)), across
+
+
+def _strongest(across: FloatArray, weight: FloatArray) -> float:
+    """Angle (rad) by which two modes are rotated so that lift does most work on the first.
+
+    The lift has the direction of the motion everywhere, so its work has the size of the motion across the
+    flow, ``across``, (2, n), not its square. ``weight``: power of the lift per size of motion, (n,).
+    """
+    from scipy.optimize import minimize_scalar
+
+    def lost(turn: float) -> float:
+        return -float(weight @ np.abs(math.cos(turn) * across[0] + math.sin(turn) * across[1]))
+
+    step = math.pi / TURNS
+    best = min((k * step for k in range(TURNS)), key=lost)
+    return float(minimize_scalar(lost, bounds=(best - step, best + step), options={"xatol": 1e-9}).x)
 
 
 def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients) -> xr.Dataset:
@@ -275,7 +291,7 @@ def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients
     from riserstudy.dataset.complete import complete
     from riserstudy.dataset.describe import label_variables
 
-    size, across = _shapes(flow, found)
+    size, across = _shapes(flow, found, given)
     wet = flow.diameter[flow.speed > 0.0]
     rows = []
     for k, frequency in enumerate(found["frequency"].values):
