@@ -13,7 +13,7 @@ from urllib.parse import unquote
 
 from riserstudy.crate.metadata import NAME, RUN
 from riserstudy.errors import InputError, printable
-from riserstudy.folders import sha256_of
+from riserstudy.files.whole import sha256_of
 
 AGAIN = f"unpack the archive again, or delete {NAME} if you edited the file"
 
