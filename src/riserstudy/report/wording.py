@@ -14,7 +14,7 @@ from riserstudy.records.numerals import duration
 from riserstudy.records.words import listed
 
 DEGREES = ("deg", "degree")
-POWERS = {"2": "²", "3": "³", "4": "⁴"}
+RAISED = str.maketrans("23456789", "²³⁴⁵⁶⁷⁸⁹")
 _DOI = re.compile(r"\b10\.\d{4,9}/[^\s,;<>&]*[^\s,;.<>&]")
 _NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?(?![\w.])", re.IGNORECASE)
 
@@ -61,7 +61,11 @@ def with_links(text: str) -> Markup:
 
 
 def unit(name: str) -> str:
-    """Return a unit as written after a number, as in `` m/s`` for ``m s-1``; empty for a pure number."""
+    """Return a unit as written after a number, as in `` m/s`` for ``m s-1``; empty for a pure number.
+
+    No library writes it so: pint sorts the factors by letters, and a moment in ``m·N`` reads as millinewton;
+    it also refuses names such as ``bar absolute``. The notation has three parts, hence these few lines.
+    """
     if name in ("", "1"):
         return ""
     if name in DEGREES:
@@ -69,13 +73,13 @@ def unit(name: str) -> str:
     above: list[str] = []
     below: list[str] = []
     for part in name.split():
-        factor = re.fullmatch(r"([A-Za-z]+)(-?)([2-9]?|1)", part)
-        if factor is None:
+        factor = re.fullmatch(r"([A-Za-z]+)(-?)(|[1-9])", part)
+        if factor is None or (factor[2] and not factor[3]):
             return f" {name}"
-        (below if factor[2] else above).append(factor[1] + POWERS.get(factor[3], ""))
-    if len(below) > 1 or not above:
-        return f" {name}"
-    return f" {' '.join(above)}" + (f"/{below[0]}" if below else "")
+        power = factor[3].replace("1", "").translate(RAISED)
+        (below if factor[2] else above).append(factor[1] + power)
+    under = f"({' '.join(below)})" if len(below) > 1 else "".join(below)
+    return f" {' '.join(above) or '1'}" + (f"/{under}" if below else "")
 
 
 def grouped(warnings: Iterable[str]) -> list[tuple[str, list[str], int]]:
