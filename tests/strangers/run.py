@@ -172,8 +172,11 @@ def environment(folder, base):
     subprocess.run([base, "-m", "venv", "--without-pip", folder], check=True)
     packages = next(folder.glob("lib/python*/site-packages"))
     ours = next(path for path in sys.path if path.endswith("site-packages"))
-    line = f"import site, sys; site.addsitedir({ours!r}); sys.path.insert(0, {str(PACKAGE.parent)!r})"
-    (packages / "ours.pth").write_text(f"{line}\n", "utf-8")
+    # Where the locale is ASCII, this file must be so too, and those of our packages are not read: one of
+    # them names the checkout, in whose name may be other letters.
+    folders = [os.fsencode(folder) for folder in (PACKAGE.parent, ours)]
+    line = f"import os, sys; sys.path += map(os.fsdecode, {folders})"
+    (packages / "ours.pth").write_text(f"{line}\n", "ascii")
     return str(folder / "bin/python")
 
 
