@@ -77,13 +77,13 @@ test-hostile: $(READY)  ## run the program with damaged and hostile input
 	@$(IN_ENVIRONMENT) python tests/fuzz/run.py
 	@RISERSTUDY_INVARIANTS=5000 $(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable tests/invariants
 
-test-faults: $(READY)  ## kill runs, fill disks, break caches; write docs/faults.md
+test-faults: $(READY)  ## kill runs, fill disks, break caches; write docs/faults.md (root for read-only and full disks)
 	@$(IN_ENVIRONMENT) python tests/faults/run.py --write docs/faults.md
 
 test-pythons: $(READY)  ## compare results of one core and two cores, and of the installed Pythons 3.11 to 3.14
 	@$(IN_ENVIRONMENT) python tests/pythons/run.py python3.11 python3.12 python3.13 python3.14
 
-test-strangers: $(READY)  ## run a short study with other users, locales and settings; write docs/machines.md
+test-strangers: $(READY)  ## run a short study with other users, locales and settings; write docs/machines.md (root for other users)
 	@$(IN_ENVIRONMENT) python tests/strangers/run.py --write docs/machines.md
 
 figures: $(READY)  ## draw the figures, and simulate only missing points

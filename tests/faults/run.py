@@ -20,6 +20,7 @@ from small import differs, forget, lay_out, run
 MARKS = ("<!-- table -->\n", "<!-- end -->\n")
 
 SAME = "exit 0, identical"
+NOT_TRIED = "not tried: "
 KILLED = "killed"  # the name of that fault, which takes longest
 ALL = [*(fault.__name__ for fault in FAULTS), KILLED]
 
@@ -34,7 +35,7 @@ def main(place, names, kills, in_a_row, at_once):
         try:
             row = (fault.__doc__, fault(folder), after(folder, reference))
         except PermissionError as error:
-            row = (fault.__doc__, f"not tried: {error}", "")
+            row = (fault.__doc__, f"{NOT_TRIED}{error}", "")
         rows.append(row)
         print(*row, sep=" | ", flush=True)
         shutil.rmtree(folder)
@@ -113,14 +114,15 @@ def judged(status, text, folder, reference):
 
 
 def write(page, rows):
-    """Put rows into the table of a page, between its marks; those of other faults stay."""
+    """Put rows into the table of a page, between its marks; a row stays where nothing was tried anew."""
     head, _, rest = page.read_text().partition(MARKS[0])
     before, _, tail = rest.partition(MARKS[1])
     heading = ["| fault | result or extent of damage | the next `make study` |", "|---|---|---|"]
     lines = {line.split(" | ")[0]: line for line in before.splitlines()[len(heading) :]}
     for row in rows:
-        cells = [cell.replace("|", "/").rstrip(".") for cell in row]
-        lines[f"| {cells[0]}"] = f"| {' | '.join(cells)} |"
+        cells = [" ".join(cell.replace("|", "/").split()).rstrip(".") for cell in row]
+        if not cells[1].startswith(NOT_TRIED) or f"| {cells[0]}" not in lines:
+            lines[f"| {cells[0]}"] = f"| {' | '.join(cells)} |"
     table = "\n".join([*heading, *lines.values()])
     page.write_text(head + MARKS[0] + table + "\n" + MARKS[1] + tail)
 

@@ -1,6 +1,6 @@
 """Run the shortest real study as machines differ, and compare its numbers with those of this one.
 
-``python tests/strangers/run.py [NAME ...] [--write docs/strangers.md]``
+``python tests/strangers/run.py [NAME ...] [--write docs/machines.md]``
 """
 
 import argparse
@@ -26,6 +26,7 @@ from short_study import lay_out, numbers, same
 
 MARKS = ("<!-- table -->\n", "<!-- end -->\n")
 SAME = "same numbers, bit for bit"
+NOT_TRIED = "not tried: "
 MEMORY = 4 * 1024**3
 GUEST = f"stranger{os.getpid()}"
 
@@ -89,7 +90,7 @@ def main(place, names):
         try:
             rows.append((varied.what, outcome(place, name, varied, python, expected)))
         except NotPossible as why:
-            rows.append((varied.what, f"not tried: {why}"))
+            rows.append((varied.what, f"{NOT_TRIED}{why}"))
         print(*rows[-1], sep=" | ", flush=True)
     rows.append(("no difference; largest memory of all processes together", f"{peak / 1e9:.1f} GB"))
     return rows
@@ -224,11 +225,16 @@ def guest():
 
 
 def write(page, rows):
-    """Put the rows between the marks of a page."""
+    """Put rows into the table of a page, between its marks; a row stays where nothing was tried anew."""
     head, _, rest = page.read_text("utf-8").partition(MARKS[0])
-    tail = rest.partition(MARKS[1])[2]
-    lines = ["| difference | result |", "|---|---|", *(f"| {a} | {b} |" for a, b in rows)]
-    page.write_text(head + MARKS[0] + "\n".join(lines) + "\n" + MARKS[1] + tail, "utf-8")
+    before, _, tail = rest.partition(MARKS[1])
+    heading = ["| difference | result |", "|---|---|"]
+    lines = {line.split(" | ")[0]: line for line in before.splitlines()[len(heading) :]}
+    for what, result in rows:
+        if NOT_TRIED not in result or f"| {what}" not in lines:
+            lines[f"| {what}"] = f"| {what} | {' '.join(result.replace('|', '/').split())} |"
+    table = "\n".join([*heading, *lines.values()])
+    page.write_text(head + MARKS[0] + table + "\n" + MARKS[1] + tail, "utf-8")
 
 
 if __name__ == "__main__":
@@ -242,4 +248,4 @@ if __name__ == "__main__":
         found = main(Path(temporary), options.names)
     if options.write:
         write(options.write, found)
-    sys.exit(any(end != SAME and "not tried" not in end for _, end in found[:-1]))
+    sys.exit(any(end != SAME and NOT_TRIED not in end for _, end in found[:-1]))
