@@ -55,7 +55,7 @@ scene of a paper, every value without a stated origin must be in the paper's lis
 
 You can give a table of scene values as a CSV file next to the scene file, for example `profile: {file:
 current.csv}`. The first line of a CSV file for a scene gives the names of the columns with their units, in
-any order. The following keys of a scene accept a CSV file with these columns:
+any order. The following keys of a scene accept a CSV file:
 
 %s
 
@@ -79,7 +79,7 @@ def scene_reference() -> str:
     for place in PLACES:
         columns = ", ".join(" or ".join(f"`{n}`" for n in names) for names in place.columns)
         more = f", and optionally {_named(place.optional)}" if place.optional else ""
-        tables.append(f"- `{'.'.join((*place.way, place.name))}`: {columns}{more}")
+        tables.append(f"- `{'.'.join((*place.way, place.name))}` accepts the columns {columns}{more}")
     parts = [HEAD % "\n".join(tables), units()]
     for model in models():
         parts.append(f"## {title(model)}\n\n{_prose(model)}\n")

@@ -158,8 +158,8 @@ class Fatigue(Strict):
 
     The key ``angles`` of ``fatigue`` is the number of places around the wall for which the engine computes
     damage. The first place around the wall at which fatigue damage is computed is on the side of +x. Between
-    two places around the wall, the damage can be larger than at both places. The factor is at most cos(pi /
-    angles)^-m, with the exponent m of the S-N curve.
+    two places around the wall, the damage can be larger than at both places. For fatigue, this factor is at
+    most cos(pi / angles)^-m, with the exponent m of the S-N curve.
     """
 
     angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]

@@ -107,9 +107,9 @@ class Response(Strict):
     ``wave`` of ``response`` gives the wave, the phase p in the surface elevation is the phase of the wave.
     If the key ``wave`` of the scene gives the wave, p is the phase of the wave plus k x, with the wave
     number k. In the phase p, x is the platform's position in the direction of the wave, including its offset
-    at rest and the distance covered by a cruise. ``headings`` states whether the headings of RAOs are
-    directions that waves travel to (``towards``) or come from (``from``). Between wave headings, RAOs are
-    interpolated linearly. The rows of a table of RAOs can be in any order. With ``symmetry``, the engine
+    at rest and the distance covered by a cruise. The key ``headings`` states whether the headings of RAOs
+    are directions that waves travel to (``towards``) or come from (``from``). Between wave headings, RAOs
+    are interpolated linearly. The rows of a table of RAOs can be in any order. With ``symmetry``, the engine
     mirrors the RAOs at a given wave heading to obtain the RAOs at a missing heading. With ``symmetry:
     sides``, the RAOs are mirrored in the x-z plane. With ``symmetry: sides and ends``, the RAOs are mirrored
     in the x-z plane and in the y-z plane. The key ``beyond`` defines the response to waves with periods

@@ -102,10 +102,10 @@ class InLineExcitation(Strict):
     The amplitude of the varying drag of the vortices per length is C_x rho D / 2 times the squared flow
     speed. The ``coefficient`` of ``in_line`` is C_x. The coefficient C_x of the varying drag is not known;
     values of 0.1 to 1 are plausible assumptions. The key ``frequencies`` of ``in_line`` lists three
-    frequencies of the varying drag, as multiples of flow speed divided by diameter. Their order is the order
-    for vibration across the flow. The vortex frequencies along the flow are about twice the frequencies
-    across the flow. The frequencies 0.22, 0.36 and 0.52 along the flow are assumptions, each with a range of
-    ±25 %.
+    frequencies of the varying drag, as multiples of flow speed divided by diameter. The order of the
+    frequencies of ``in_line`` is the order for vibration across the flow. The vortex frequencies along the
+    flow are about twice the frequencies across the flow. The frequencies 0.22, 0.36 and 0.52 along the flow
+    are assumptions, each with a range of ±25 %.
     """
 
     coefficient: Annotated[float, POSITIVE]
@@ -212,9 +212,9 @@ class Section(Strict):
     the engine computes both stiffnesses. A riser section without bending stiffness is a string: it carries
     no bending moment. Give the mass of a riser section, or ``wall_density``, from which the engine computes
     the mass; without both, the mass is zero. If at least one riser section has a shear modulus, the torsion
-    of the riser resists the yaw of a vessel. Riser sections without a shear modulus are then rigid in
-    torsion. Drag, added mass, contents and all other parts of a riser section that are not given are zero or
-    absent.
+    of the riser resists the yaw of a vessel. If another section has a shear modulus, riser sections without
+    a shear modulus are rigid in torsion. Drag, added mass, contents and all other parts of a riser section
+    that are not given are zero or absent.
 
     The ``submerged_weight`` of a riser section is the weight of the pipe with everything fixed to it, minus
     the weight of the water that the *outer* surface displaces. The weight of ``contents`` is not included in
@@ -229,8 +229,8 @@ class Section(Strict):
     the scene. For a riser section that is wholly above the water, ``submerged_weight`` is the weight in air.
     The engine divides a riser section at the water surface if the section crosses the surface and has no
     ``submerged_weight``, or has modules or lines. In results, the part of a divided riser section above the
-    water is named ``<name>, above water``. For a part above the water, the engine adds the weight of the
-    water displaced by the outer diameter to a given ``submerged_weight``.
+    water is named ``<name>, above water``. For a part of a riser section above the water, the engine adds
+    the weight of the water displaced by the outer diameter to a given ``submerged_weight``.
 
     The key ``buoyancy_lift`` of a riser section is the net lift of buoyancy modules in water. The value of
     ``buoyancy_lift`` has no effect on the simulation, because ``submerged_weight`` already includes the lift

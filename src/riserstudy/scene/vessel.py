@@ -56,10 +56,10 @@ class Turning(Strict):
     """Moment of the thrusters about the vertical axis, G (psi_c - psi) - D d psi/dt.
 
     In the formula of the thrusters' moment, psi is the present yaw angle of the vessel, and psi_c is
-    ``command``, the commanded yaw angle. Both yaw angles are measured from the vessel's initial heading. In
-    the formula of the thrusters' moment, G is ``gain``, and D is ``velocity_gain``. Without ``command``, the
-    commanded yaw angle of the thrusters is zero. Without ``velocity_gain``, the thrusters do not damp the
-    yaw of the vessel. Without ``saturation``, the moment of the thrusters is unlimited.
+    ``command``, the commanded yaw angle. The yaw angles psi and psi_c are measured from the vessel's initial
+    heading. In the formula of the thrusters' moment, G is ``gain``, and D is ``velocity_gain``. Without
+    ``command``, the commanded yaw angle of the thrusters is zero. Without ``velocity_gain``, the thrusters
+    do not damp the yaw of the vessel. Without ``saturation``, the moment of the thrusters is unlimited.
     """
 
     gain: Annotated[u.RotationalStiffness, NOT_NEGATIVE]
@@ -120,7 +120,7 @@ class Coupling(Strict):
     """Platform and riser solved alternately, over intervals.
 
     With the coupling ``staggered``, the platform first moves over each interval under the riser's force at
-    the start of the interval. In each coupling interval, the engine then simulates the riser with the
+    the start of the interval. In each interval of the coupling, the engine then simulates the riser with the
     computed motion of the platform. With the coupling ``iterated``, the engine repeats each interval with
     the new force of the riser, until the platform motion changes by less than ``tolerance``. The default
     ``tolerance`` of the coupling is the limit for corrections of positions in Newton's iteration.
