@@ -3,7 +3,7 @@
 import random
 import re
 
-import cf_xarray.units  # noqa: F401  # defines the notation of CF for pint
+import cf_xarray.units  # defines the notation of CF for pint
 import pint
 import pytest
 
