@@ -158,6 +158,11 @@ def _water_around(scene: Parts, k: int) -> float:
     return 0.0 if scene.water is None or _dry(scene, k) else scene.water.density
 
 
+def is_dry(scene: Parts, section: Section) -> bool:
+    """Whether a section of the scene is wholly above the water."""
+    return _dry(scene, next(k for k, one in enumerate(scene.riser) if one is section))
+
+
 def _dry(scene: Parts, k: int) -> bool:
     """Whether a section is wholly above the water."""
     ends = levels(scene, k)

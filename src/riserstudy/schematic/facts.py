@@ -13,6 +13,7 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 from riserstudy.scene.sea import Storm, Swell
 from riserstudy.scene.tensioners import Tensioners
+from riserstudy.scene.weight import is_dry
 from riserstudy.schematic.geometry import Geometry
 from riserstudy.schematic.labels import UNBROKEN
 
@@ -108,7 +109,7 @@ def _weight_text(section: Section, scene: Resolved, mark: Callable[[str], str]) 
     if weight is not None and full is not None and gravity is not None:
         filled = weight + gravity * section.contents_mass
     empty = f"{like(weight, filled, 'N')}/m{mark('submerged_weight')}" if weight else ""
-    where = " in water" if scene.water is not None else ""
+    where = "" if scene.water is None else " in air" if is_dry(scene, section) else " in water"
     if full is None:
         return f"{empty}{where}" if empty else ""
     inside = f"contents of {full.density:.4g} kg/m³{mark('contents.density')}"

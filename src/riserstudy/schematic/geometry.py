@@ -201,10 +201,10 @@ def _any_at(values: Iterable[str], path: str) -> bool:
 
 def labelled(scene: Resolved) -> Iterator[str]:
     """Yield the paths of the parts whose labels can have a remark."""
-    for k, section in enumerate(scene.riser):
-        yield f"riser[{k}]"
+    for section in scene.riser:
+        yield section.line
         if is_spring(section):
-            yield from (f"riser[{k}].axial_stiffness", f"riser[{k}].length")
+            yield from (f"{section.line}.axial_stiffness", f"{section.line}.length")
     yield from ("top", "bottom")
     if scene.top.tensioners:
         yield "top.tensioners"

@@ -30,16 +30,17 @@ LEAST = 0.04  # height of a body (inches)
 def riser(view: View, geometry: Geometry) -> None:
     """Draw all sections with their diameters in the scene."""
     length = geometry.riser_length
-    for k, (section, low, high) in enumerate(geometry.sections):
+    for section, low, high in geometry.sections:
+        path = section.line
         _section(view, geometry, section, low, high)
         long = high - low > SHORT * length
         visible = [s for s in _from_the_middle(low, high) if view.shows(geometry.at(s))]
         if visible:
-            text = section_text(section, geometry, f"riser[{k}]")
+            text = section_text(section, geometry, path)
             if is_spring(section):
-                remarks = [geometry.remark(f"riser[{k}].{n}") for n in ("axial_stiffness", "length")]
+                remarks = [geometry.remark(f"{path}.{n}") for n in ("axial_stiffness", "length")]
                 text = spring_text(section, *remarks)
-            text += geometry.remark(f"riser[{k}]")
+            text += geometry.remark(path)
             view.name(text, geometry.at(visible[0]), whole=long)
         if section.lateral_load:
             _line_load(view, geometry, section.lateral_load, low, high)
@@ -47,13 +48,13 @@ def riser(view: View, geometry: Geometry) -> None:
             place = geometry.at(low)
             turning_joint(view, place, section.flex_joint_below.stiffness > 0.0)
             name = "lower flex joint" if geometry.scene.soil else "flex joint"
-            mark = geometry.mark(f"riser[{k}].flex_joint_below.stiffness")
+            mark = geometry.mark(f"{path}.flex_joint_below.stiffness")
             text = f"{name}, {joint_text(section.flex_joint_below.stiffness, mark)}"
             view.name_anywhere(text, place)
         if section.guide_below:
             x, z = geometry.at(low)
             view.spring((x, z), (x + 0.8 * view.inch, z), 0.12 * view.inch)
-            mark = geometry.mark(f"riser[{k}].guide_below.stiffness")
+            mark = geometry.mark(f"{path}.guide_below.stiffness")
             text = f"guide, {amount(section.guide_below.stiffness, 'N')}/m{mark}"
             view.name_anywhere(text, (x, z))
 
