@@ -2,7 +2,7 @@ r"""Time by which one series is later than another, for the best fit of both.
 
 .. math:: \min_k \operatorname{var}_i (a_{i+k} - b_i)
 
-over the common time steps, from cumulative sums and one correlation by Fourier transform.
+over the common time steps at which both are known, from correlations by Fourier transform.
 
 References
 ----------
@@ -20,13 +20,17 @@ FloatArray = NDArray[np.float64]
 # difference of two fits, as a share of the other series' variance, up to which they are equally good
 ALIKE = 0.01
 MOST_STEPS = 2_000_000  # largest number of equally spaced times
+USUAL = 0.95  # quantile of the intervals between times that is usual, so that few gaps do not count
+WIDE = 4.0  # an interval longer than this multiple of the usual interval is a gap
+FEWEST = 0.1  # smallest share of the known times that a shift must leave in common
 
 
 def lag(along: FloatArray, ours: FloatArray, theirs: FloatArray) -> tuple[float, float]:
     """Time (s) by which ours is later, and the root mean square of the difference without this lag.
 
     The search covers a quarter of the record in both directions. Series are interpolated to equally spaced
-    times, at the smallest interval of theirs, but at most two million. A periodic series fits equally well
+    times, at the smallest interval of theirs, but at most two million. Times within gaps are left out, where
+    straight lines would be compared. A periodic series fits equally well
     one period later; of equally good lags, the one nearest to zero is returned. Both results are NaN if a
     series does not vary, or if the fit is best at an end of the search, because the lag may then be larger.
     ``along``: times (s), (n,), rising. ``ours``, ``theirs``: (n,).
@@ -37,39 +41,50 @@ def lag(along: FloatArray, ours: FloatArray, theirs: FloatArray) -> tuple[float,
     step = max(float(np.min(np.diff(along))), span / MOST_STEPS)
     even = np.arange(along[0], along[-1] + 0.5 * step, step)
     a, b = (np.interp(even, along, values) for values in (ours, theirs))
-    left = _left(a, b)
+    known = _known(along, even)
+    left = _left(a, b, known)
     half = len(even) // 4
-    best = _nearest_least(left, half, ALIKE * float(np.var(b)))
+    best = _nearest_least(left, half, ALIKE * float(np.var(b[known])))
     if best in (0, len(left) - 1):
         return math.nan, math.nan
-    a_there, b_there = _shifted(a, b, best - half)
+    there = known.astype(float)
+    both = np.multiply(*_shifted(there, there, best - half)) > 0.0
+    a_there, b_there = (part[both] for part in _shifted(a, b, best - half))
     rms = float(np.sqrt(np.mean((a_there - b_there) ** 2)))
     return (best - half + _between(left, best)) * step, rms
 
 
-def _left(a: FloatArray, b: FloatArray) -> FloatArray:
-    """Variance of a minus b, with a shifted to earlier times, (2 h + 1,): shifts from -h to h."""
+def _known(along: FloatArray, even: FloatArray) -> NDArray[np.bool_]:
+    """Whether each of the equally spaced times (s), (n,), is outside of the gaps between rising times (s)."""
+    interval = np.diff(along)
+    wide = interval > WIDE * float(np.quantile(interval, USUAL, method="lower"))
+    into = np.clip(np.searchsorted(along, even, side="right") - 1, 0, len(interval) - 1)
+    return np.asarray(~wide[into] | np.isin(even, along))
+
+
+def _left(a: FloatArray, b: FloatArray, known: NDArray[np.bool_]) -> FloatArray:
+    """Variance of a minus b, with a shifted to earlier times, (2 h + 1,): shifts from -h to h.
+
+    ``known``: (n,), times at which both have values. Infinite for a shift that leaves few of them in common.
+    """
     from scipy.signal import correlate  # loads half of scipy
 
     n, half = len(a), len(a) // 4
-    middle = 0.5 * (a.mean() + b.mean())
-    a, b = a - middle, b - middle
-    shifts = np.arange(-half, half + 1)
-    product = correlate(a, b, "full", "fft")[shifts + n - 1]
-    sums = {name: np.concatenate([[0.0], np.cumsum(v)]) for name, v in
-            (("a", a), ("b", b), ("aa", a * a), ("bb", b * b))}  # fmt: skip
-    low_a, high_a = np.maximum(shifts, 0), n + np.minimum(shifts, 0)
-    low_b, high_b = np.maximum(-shifts, 0), n - np.maximum(shifts, 0)
-    count = n - np.abs(shifts)
+    middle = 0.5 * (a[known].mean() + b[known].mean())
+    a, b = (np.where(known, values - middle, 0.0) for values in (a, b))
+    there = known.astype(float)
+    at = np.arange(-half, half + 1) + n - 1
 
-    def of(name: str, low: NDArray[np.intp], high: NDArray[np.intp]) -> FloatArray:
-        part: FloatArray = sums[name][high] - sums[name][low]
-        return part
+    def of(one: FloatArray, other: FloatArray) -> FloatArray:
+        product: FloatArray = correlate(one, other, "full", "fft")[at]
+        return product
 
-    squares = of("aa", low_a, high_a) + of("bb", low_b, high_b) - 2.0 * product
-    mean = (of("a", low_a, high_a) - of("b", low_b, high_b)) / count
-    left: FloatArray = np.maximum(squares / count - mean**2, 0.0)
-    return left
+    count = np.rint(of(there, there))
+    common = np.maximum(count, 1.0)
+    squares = of(a * a, there) + of(there, b * b) - 2.0 * of(a, b)
+    mean = (of(a, there) - of(there, b)) / common
+    left: FloatArray = np.maximum(squares / common - mean**2, 0.0)
+    return np.where(count >= FEWEST * there.sum(), left, np.inf)
 
 
 def _nearest_least(left: FloatArray, half: int, alike: float) -> int:
