@@ -19,6 +19,7 @@ from riserstudy.scene.rao import MOTIONS
 ROUNDED = 2e-3
 SAME = 1e-4  # largest difference of headings that count as equal (deg)
 HEADING = "heading (deg)"
+STILL = 1e-9  # largest motion that is rounding (m/m, rad/m)
 
 
 class Operators(NamedTuple):
@@ -33,13 +34,20 @@ class Operators(NamedTuple):
 def once_a_turn(path: Path, found: Operators) -> Operators:
     """Return the RAOs without a heading that repeats another after a full turn, as in files to 360 deg.
 
-    Raises InputError when the responses at these two headings differ.
+    Motions that are zero in all waves are left out, too. Raises InputError when the responses at these two
+    headings differ, or a wave occurs twice.
     """
+    found = _without_still_motions(found)
     if HEADING not in found.columns:
         return found
     tables: dict[float, list[list[float]]] = {}
     for row in found.rows:
         tables.setdefault(row[1], []).append(row)
+    for heading, rows in tables.items():
+        waves = [row[0] for row in rows]
+        if twice := next((wave for k, wave in enumerate(waves) if wave in waves[:k]), None):
+            at = f"the wave with a {found.columns[0]} of {twice:g} occurs twice"
+            raise InputError(path, f"heading {heading:g} deg", at, "remove one of the two")
     kept: dict[float, list[list[float]]] = {}
     for heading, rows in tables.items():
         twin = next((k for k in kept if abs(math.remainder(k - heading, 360.0)) < SAME), None)
@@ -51,6 +59,22 @@ def once_a_turn(path: Path, found: Operators) -> Operators:
             at = f"the response differs from the response at {twin:g} deg, which is the same heading"
             raise InputError(path, f"heading {heading:g} deg", at, "remove one of the two")
     return found._replace(rows=[row for rows in kept.values() for row in rows])
+
+
+def _without_still_motions(found: Operators) -> Operators:
+    """Return the RAOs without motions of no size, which would make a riser in a plane one in space.
+
+    A symmetric hull in head seas does not sway, roll or yaw, but files have these columns.
+    """
+    sizes = np.array(found.rows)[:, 2::2]
+    still = (sizes < STILL).all(axis=0)
+    if not still.any() or still.all():
+        return found
+    kept = [0, 1, *(at for k in np.flatnonzero(~still) for at in (2 + 2 * int(k), 3 + 2 * int(k)))]
+    names = [found.columns[2 + 2 * int(k)].partition(" ")[0] for k in np.flatnonzero(still)]
+    left_out = [*found.left_out, *(f"{name}: zero in all waves" for name in names)]
+    rows = [[row[at] for at in kept] for row in found.rows]
+    return found._replace(columns=[found.columns[at] for at in kept], rows=rows, left_out=left_out)
 
 
 def _same(columns: list[str], one: list[list[float]], other: list[list[float]]) -> bool:
