@@ -109,14 +109,7 @@ def fatigue(
     years = _summed(study, scatter, seas, gamma, at, calm)
     for line in years.notes:
         print(line)
-    if math.isnan(years.error_runs):
-        print("estimated error of damage in runs: unknown, no run that causes damage has an estimate")
-    else:
-        known = sum(math.isfinite(sea.error) for sea in years.seas)
-        print(
-            f"estimated error of damage in runs: {percent(years.error_runs)}, runs weighted by "
-            f"their damage; known for {known} of {counted(len(years.seas), 'sea state')}"
-        )
+    _print_error(years)
     show(tables.of_details(years), csv)
     if years.axes:
         print(f"half of the damage of {years.worst[years.governing].detail}:")
@@ -135,6 +128,18 @@ def fatigue(
         from riserstudy.figures.fatigue import fatigue as drawn
 
         save_figure(drawn(years), plot)
+
+
+def _print_error(years: Years) -> None:
+    """Print the estimated error of the runs, and for how many sea states it is known."""
+    if math.isnan(years.error_runs):
+        print("estimated error of damage in runs: unknown, no run that causes damage has an estimate")
+        return
+    known = sum(math.isfinite(sea.error) for sea in years.seas)
+    print(
+        f"estimated error of damage in runs: {percent(years.error_runs)}, runs weighted by "
+        f"their damage; known for {known} of {counted(len(years.seas), 'sea state')}"
+    )
 
 
 def _check_apart(tables: dict[str, Path | None]) -> None:

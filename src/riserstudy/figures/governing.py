@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import cycle
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,8 +11,9 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
+from riserstudy.figures.limit_colours import colours_of
 from riserstudy.figures.names import in_words
-from riserstudy.figures.style import MANY_COLOURS, headline
+from riserstudy.figures.style import headline
 from riserstudy.seas.cover import scale_of
 from riserstudy.seas.riser_hours import excess_of
 from riserstudy.seas.surface import Surface
@@ -47,8 +47,7 @@ def governing(responses: xr.Dataset, mode: str, share: float) -> Figure:
     ax = figure.subplots()
     labels = [in_words(str(name)) for name in responses["limit"].values]
     there = [int(k) for k in np.unique(displayed[~unknown])]
-    own = dict(zip([k for k in there if k], cycle(MANY_COLOURS), strict=False))  # of limits that govern
-    colours = [WITHIN, *(own.get(k, WITHIN) for k in range(1, len(labels) + 1))]
+    colours = [WITHIN, *colours_of(responses["limit"].values).values()]
     ax.pcolormesh(
         periods, heights, displayed, cmap=ListedColormap(colours), vmin=-0.5, vmax=len(labels) + 0.5
     )

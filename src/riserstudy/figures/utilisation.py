@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from itertools import cycle
 
 import numpy as np
 import xarray as xr
@@ -25,8 +24,9 @@ from riserstudy.figures.grid import (
     points,
     read,
 )
+from riserstudy.figures.limit_colours import colours_of
 from riserstudy.figures.names import in_words
-from riserstudy.figures.style import COLOURS, GREY, MANY_COLOURS, headline, panel_title
+from riserstudy.figures.style import GREY, headline, panel_title
 
 FloatArray = NDArray[np.float64]
 SLICES = 4  # number of equally spaced points of a third axis that are shown
@@ -53,19 +53,9 @@ def utilisation(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
 def _lines(uses: xr.Dataset) -> Figure:
     figure, (ax,) = laid_out(1)
     (axis,) = along(uses, 1)
-    for k, name in enumerate(uses["limit"].values):
+    for k, (name, colour) in enumerate(colours_of(uses["limit"].values).items()):
         values = uses["use_of_limit"].isel(limit=k).clip(max=MOST)
-        colour = COLOURS[k % len(COLOURS)]
-        style = "-" if k < len(COLOURS) else ":"
-        ax.plot(
-            read(uses[axis]),
-            values,
-            style,
-            color=colour,
-            marker="o",
-            markersize=3.0,
-            label=in_words(str(name)),
-        )
+        ax.plot(read(uses[axis]), values, "-", color=colour, marker="o", markersize=3.0, label=in_words(name))
     ax.axhline(1.0, color="black", linewidth=0.8)
     ax.set_xlabel(label(uses[axis]))
     ax.set_ylabel("utilisation of a limit\n(values above 2 drawn at 2)")
@@ -81,7 +71,7 @@ def _maps(uses: xr.Dataset) -> Figure:
     names = [in_words(str(name)) for name in uses["limit"].values]
     use_at = [point["use_of_limit"].transpose("limit", up, across) for _, point in chosen]
     displayed = sorted({int(k) for use in use_at for k in _which(use).ravel()})
-    colours = dict(zip([k for k in displayed if k >= 0], cycle(MANY_COLOURS), strict=False)) | {-1: GREY}
+    colours = {-1: GREY} | dict(enumerate(colours_of(uses["limit"].values).values()))
     for row, ((called, _), use) in enumerate(zip(chosen, use_at, strict=True)):
         left, right = axes[2 * row : 2 * row + 2]
         _use(figure, left, use, called)

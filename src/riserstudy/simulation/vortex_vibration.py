@@ -65,12 +65,7 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
     if start is None or "y" not in arrays:
         return
     fastest, interval = _shortest_shedding(scene, arrays), float(np.diff(arrays["time"][:2])[0])
-    if step > fastest / STEPS:
-        waves = " in current, waves and motions of the platform" if fastest < shedding_period(scene) else ""
-        facts["warnings"].append(
-            f"riser.viv: the time step is too long: {fastest / step:.3g} steps per shortest shedding period "
-            f"of {fastest:.3g} s{waves}; use a time step of {fastest / (2 * STEPS):.2g} s"
-        )
+    facts["warnings"] += _too_long(scene, step, fastest)
     late = arrays["time"] >= start
     if int(late.sum()) < FEWEST:
         facts["warnings"].append(
@@ -115,6 +110,17 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
         f"{period:.3g} s, so no frequency is computed; give an analysis.output.interval of "
         f"{at_most(period / OUTPUTS, 2)} s"
     )
+
+
+def _too_long(scene: Resolved, step: float, fastest: float) -> list[str]:
+    """A warning if a time step (s) is too long for the shortest shedding period (s); else none."""
+    if step <= fastest / STEPS:
+        return []
+    waves = " in current, waves and motions of the platform" if fastest < shedding_period(scene) else ""
+    return [
+        f"riser.viv: the time step is too long: {fastest / step:.3g} steps per shortest shedding period "
+        f"of {fastest:.3g} s{waves}; use a time step of {fastest / (2 * STEPS):.2g} s"
+    ]
 
 
 def _shortest_shedding(scene: Resolved, arrays: dict[str, Array]) -> float:

@@ -109,8 +109,7 @@ def sweep(
     Returns
     -------
     xarray.Dataset
-        The axes are the dimensions, in the given order, as in the datasets of studies. ``failure`` is empty
-        for completed points.
+        The axes are the dimensions, in the given order. ``failure`` is empty for completed points.
 
     Raises
     ------
@@ -119,10 +118,7 @@ def sweep(
     SimulationError
         When no point can be completed; with ``on_error="raise"``, when any point cannot be completed.
     """
-    if on_error not in ("nan", "raise"):
-        found = f"{on_error!r} is not one of the choices"
-        raise InputError("sweep", "on_error", found, "write 'nan' or 'raise'")
-    check_cores("sweep", cores)
+    _check_options(on_error, cores)
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
     study = as_study(file, axes, None if keep is None else list(keep), modes)
     for text in (*far_values(study), *idle_values(study)):
@@ -134,6 +130,13 @@ def sweep(
     if doubt := _doubt(study, results):
         warnings.warn(doubt, stacklevel=2)
     return _dataset(study, results, failures).assign_attrs(title=_title(file, axes))
+
+
+def _check_options(on_error: str, cores: int | None) -> None:
+    if on_error not in ("nan", "raise"):
+        found = f"{on_error!r} is not one of the choices"
+        raise InputError("sweep", "on_error", found, "write 'nan' or 'raise'")
+    check_cores("sweep", cores)
 
 
 def _title(file: SceneFile, axes: Iterable[str]) -> str:
