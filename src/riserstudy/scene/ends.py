@@ -247,11 +247,11 @@ class Top(Strict):
     tensioners and body are absent if they are not given. With ``held_at_tension``, the engine computes the
     height at which the riser's top is held. At the computed height, the vertical component of the pull on
     the static riser equals the given force ``held_at_tension``. If there is a body at the riser's top, the
-    pull just below the body equals the force ``held_at_tension``. For ``held_at_tension``, the platform is
-    in its position in calm water, and the current has its full speed. If the top's ``x`` follows the
-    platform, a flex joint or clamp at the top rotates with the platform. With a telescopic joint, the
-    riser's top is the upper end of the joint. With a telescopic joint, ``tension``, ``tensioners``,
-    ``lateral_force`` and ``body`` are at the tension ring, below the joint.
+    pull just below the body equals the force ``held_at_tension``. To compute the height for
+    ``held_at_tension``, the platform is in its position in calm water, and the current has its full speed.
+    If the top's ``x`` follows the platform, a flex joint or clamp at the top rotates with the platform. With
+    a telescopic joint, the riser's top is the upper end of the joint. With a telescopic joint, ``tension``,
+    ``tensioners``, ``lateral_force`` and ``body`` are at the tension ring, below the joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

@@ -102,10 +102,10 @@ class InLineExcitation(Strict):
     The amplitude of the varying drag of the vortices per length is C_x rho D / 2 times the squared flow
     speed. The ``coefficient`` of ``in_line`` is C_x. The coefficient C_x of the varying drag is not known;
     values of 0.1 to 1 are plausible assumptions. The key ``frequencies`` of ``in_line`` lists three
-    frequencies of the varying drag, as multiples of flow speed divided by diameter. The order of the
-    frequencies of ``in_line`` is the order for vibration across the flow. The vortex frequencies along the
-    flow are about twice the frequencies across the flow. The frequencies 0.22, 0.36 and 0.52 along the flow
-    are assumptions, each with a range of ±25 %.
+    frequencies of the varying drag, as multiples of flow speed divided by diameter. The key ``frequencies``
+    lists these frequencies in the same order as for vibration across the flow. The vortex frequencies along
+    the flow are about twice the frequencies across the flow. The frequencies 0.22, 0.36 and 0.52 along the
+    flow are assumptions, each with a range of ±25 %.
     """
 
     coefficient: Annotated[float, POSITIVE]
