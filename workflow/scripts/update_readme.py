@@ -60,9 +60,9 @@ def replaced(text: str, part: str, made: str) -> str:
 def opening(number: int) -> str:
     """Return the sentences that introduce the project."""
     return (
-        "riserstudy simulates deepwater drilling risers. One command repeats the simulations of five "
-        f"published papers, redraws their figures, and grades each of their {number} published values and "
-        "claims (qualitative statements)."
+        "riserstudy is a simulation program and a Snakemake workflow for deepwater drilling risers. One "
+        "command repeats the simulations of five published papers, redraws their figures, and grades each of "
+        f"their {number} published values and claims (qualitative statements)."
     )
 
 

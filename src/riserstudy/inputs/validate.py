@@ -8,8 +8,8 @@ from typing import Any, TypeVar
 from pydantic import BaseModel, ValidationError
 
 from riserstudy.errors import InputError
-from riserstudy.inputs.allowed_keys import remedy_for
 from riserstudy.inputs.misfit import Misfit, joined
+from riserstudy.inputs.unknown_key import unknown_key
 
 T = TypeVar("T", bound=BaseModel)
 TYPES = frozenset(("bool", "float", "int", "str"))  # as pydantic names them, among alternatives
@@ -71,7 +71,7 @@ def _readable(model: type[BaseModel], error: ValidationError, source: object, fi
             where += f".{step}" if where else step
     kind = first["type"]
     if kind == "extra_forbidden":
-        return InputError(source, where, "unknown key", remedy_for(model, first["loc"]))
+        return unknown_key(source, where, model, first["loc"])
     if kind == "missing":
         return InputError(source, where, "missing", "add it, since it has no default")
     misfit = first.get("ctx", {}).get("error")

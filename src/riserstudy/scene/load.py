@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Any
 
 from riserstudy.errors import InputError
-from riserstudy.inputs.allowed_keys import UNKNOWN_KEY
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.inputs.unknown_key import REMEDY
 from riserstudy.inputs.validate import check
 from riserstudy.scene import paths
 from riserstudy.scene.error_source import attribute_error, is_known
@@ -58,7 +58,7 @@ class SceneFile:
                 raise InputError(layer, *faults[0])
             if plain is None and not is_known(path):
                 found = "unknown key, which null therefore cannot remove"
-                raise InputError(layer, path, found, UNKNOWN_KEY)
+                raise InputError(layer, path, found, REMEDY)
             try:
                 paths.put(tree, path, plain)
             except LookupError as error:

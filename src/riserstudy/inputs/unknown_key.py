@@ -1,4 +1,4 @@
-"""Find the keys that a part of an input file may have, to correct the spelling of an unknown key."""
+"""The error for an unknown key, with the allowed key of similar spelling."""
 
 from __future__ import annotations
 
@@ -8,18 +8,30 @@ from typing import Any, get_args
 
 from pydantic import BaseModel
 
-UNKNOWN_KEY = "correct its spelling or remove it; `riserstudy schema` prints the allowed keys"
+from riserstudy.errors import InputError
+
+REMEDY = "correct its spelling or remove it; `riserstudy schema` prints the allowed keys"
 
 
-def remedy_for(model: type[BaseModel], place: Sequence[object]) -> str:
-    """Return the remedy for an unknown key: the allowed key of similar spelling, if there is one.
+def unknown_key(
+    source: str | Path, field: str, model: type[BaseModel], place: Sequence[object]
+) -> InputError:
+    """Return the error for an unknown key of a file.
 
-    ``place``: fields and indices from the whole data of the model to the unknown key, which is the last.
+    Parameters
+    ----------
+    field : path of the key in the file.
+    place : fields and indices from the whole data of the model to the unknown key, which is the last.
     """
+    return InputError(source, field, "unknown key", _remedy(model, place))
+
+
+def _remedy(model: type[BaseModel], place: Sequence[object]) -> str:
+    """Return the remedy: the allowed key of similar spelling, if there is one."""
     key = str(place[-1])
     similar = get_close_matches(key, allowed_keys(model, place[:-1]), n=1)
     if not similar:
-        return UNKNOWN_KEY
+        return REMEDY
     return f"write {similar[0]}, or remove the key; `riserstudy schema` prints the allowed keys"
 
 
