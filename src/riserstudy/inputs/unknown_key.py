@@ -13,9 +13,7 @@ from riserstudy.errors import InputError
 REMEDY = "correct its spelling or remove it; `riserstudy schema` prints the allowed keys"
 
 
-def unknown_key(
-    source: str | Path, field: str, model: type[BaseModel], place: Sequence[object]
-) -> InputError:
+def unknown_key(source: object, field: str, model: type[BaseModel], place: Sequence[object]) -> InputError:
     """Return the error for an unknown key of a file.
 
     Parameters
