@@ -1,13 +1,14 @@
 """What is refined, and when the estimated error is believed: on made-up errors of mesh and step."""
 
 import math
+import random
 from contextlib import contextmanager
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
-from riserstudy.errors import TakesTooLong
+from riserstudy.errors import SimulationError, StepFailed, TakesTooLong
 from riserstudy.model.mesh import even
 from riserstudy.scene.load import read_scene
 from riserstudy.simulation import refinement as module
@@ -20,10 +21,19 @@ SCENE = Path(__file__).parents[2] / "config/scenes/bench/s2.yaml"
 SETS = {"analysis.mesh": None, "analysis.step": None, "analysis.method": None}
 
 
-def refined(monkeypatch, error):
-    """Segments, step and estimate that a run ends with where its moment errs by ``error(n, h)``."""
+def refined(monkeypatch, error, longest=math.inf, lost=0):
+    """Segments, step and estimate that a run ends with where its moment errs by ``error(n, h)``.
+
+    Steps above the longest (s) fail, and the first ``lost`` meshes have no equilibrium.
+    """
+    without = set()
 
     def march(scene, mesh, step, watch, rest=None, extremes=True):
+        if step > longest:
+            raise StepFailed("made up")
+        if len(mesh.l0) in without or len(without) < lost:
+            without.add(len(mesh.l0))
+            raise SimulationError("made up")
         facts = {"elements": len(mesh.l0), "step": step, "solve_seconds": 0.0, "warnings": []}
         return SimpleNamespace(facts=facts, arrays={"bending_moment": None})
 
@@ -55,6 +65,27 @@ def test_an_accuracy_is_reached_whichever_error_hides_the_other(monkeypatch, err
     n, h, estimated = refined(monkeypatch, error)
     assert abs(error(n, h)) <= 0.01
     assert 0.5 * abs(error(n, h)) <= estimated <= 0.01
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_an_accuracy_is_reached_by_meshes_and_steps_that_can_be_run(seed, monkeypatch):
+    draw = random.Random(seed)
+    of_mesh, of_step = (10.0 ** draw.uniform(-1.0, 2.5) for _ in range(2))
+    longest = draw.choice([math.inf, 10.0 ** draw.uniform(-2.0, 0.0)])
+
+    def error(n, h):
+        return of_mesh / n**2 + of_step * h**2
+
+    n, h, estimated = refined(monkeypatch, error, longest, draw.randint(0, 2))
+    assert h <= longest
+    assert error(n, h) <= 0.01
+    assert 0.9 * error(n, h) <= estimated <= 0.01
+
+
+@pytest.mark.parametrize("lost", [3, 4])
+def test_a_refinement_ends_where_three_meshes_have_no_equilibrium(lost, monkeypatch):
+    with pytest.raises(SimulationError, match="made up"):
+        refined(monkeypatch, lambda n, h: 1.0 / n**2, lost=lost)
 
 
 def test_an_error_that_does_not_matter_is_not_seen_anew(monkeypatch):
