@@ -173,10 +173,12 @@ def environment(folder, base):
     subprocess.run([base, "-m", "venv", "--without-pip", folder], check=True)
     packages = next(folder.glob("lib/python*/site-packages"))
     ours = next(path for path in sys.path if path.endswith("site-packages"))
-    # Where the locale is ASCII, this file must be so too, and those of our packages are not read: one of
-    # them names the checkout, in whose name may be other letters.
-    folders = [os.fsencode(folder) for folder in (PACKAGE.parent, ours)]
-    line = f"import os, sys; sys.path += map(os.fsdecode, {folders})"
+    # Links, since netCDF4 cannot be imported from a folder with letters that the locale lacks; and not by
+    # the file of the checkout's installation, which names its folder in UTF-8 where Python reads ASCII.
+    (folder / "checkout").symlink_to(PACKAGE.parents[1])
+    (folder / "installed").symlink_to(ours)
+    paths = [folder / "checkout" / PACKAGE.parent.name, folder / "installed"]
+    line = f"import os, sys; sys.path += map(os.fsdecode, {[*map(os.fsencode, paths)]})"
     (packages / "ours.pth").write_text(f"{line}\n", "ascii")
     return str(folder / "bin/python")
 

@@ -34,6 +34,6 @@ def test_packages_are_found_in_a_folder_of_any_name_in_any_locale(
     (packages / "of_a_checkout.pth").write_text(f"{packages}\n", "utf-8")  # as installers write it
     monkeypatch.setattr(sys, "path", [str(packages), *sys.path])
     python = program.environment(tmp_path / "environment", sys.executable)
-    command = [python, "-c", "import module_of_ours, riserstudy"]
+    command = [python, "-c", "import module_of_ours, riserstudy; module_of_ours.__file__.encode()"]
     done = subprocess.run(command, env=locale or None, capture_output=True, text=True, errors="replace")
     assert done.returncode == 0, done.stderr
