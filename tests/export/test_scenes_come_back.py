@@ -59,6 +59,8 @@ def silent(file, back, left):
     derived = [f"riser.{name}" for name in RISER] + [*CURRENT, *RESPONSE]
     if "top.tensioners.mid_stroke" in named:
         derived += ["top.tensioners.table.reach", "top.tensioners.linear.tension"]
+    if "platform.response.wave" in named:  # operators of a deck with a calm sea
+        derived.append("platform.response")
     return [
         path
         for path, value in ours.items()

@@ -201,7 +201,7 @@ def vessel(deck: Deck) -> None:
         "SuperimposedMotion": "RAOs + harmonics" if response else "None",
     }  # fmt: skip
     if response and deck.scene.wave is None:
-        deck.otherwise["platform.response"] = (
+        deck.otherwise["platform.response.wave"] = (
             "the operators are written, but not the wave, because it moves only the platform: the sea is calm"
         )
         deck.otherwise["platform.centre_of_rotation"] = "written as the origin of these operators"

@@ -160,7 +160,7 @@ def _joint(deck: Deck, joint: TelescopicJoint, offset: float, rest: Rest) -> Non
         "EI": [1e-3 * joint.bending_stiffness, None], "EA": 1e6, "PoissonRatio": 0.3, "GJ": 80.0,
         "Ca": [0, None, 0], "Cd": [0, None, 0],
     })  # fmt: skip
-    deck.otherwise["top.telescopic_joint"] = (
+    deck.otherwise["top.telescopic_joint (inner barrel)"] = (
         "its inner barrel has a mass of 0.1 t/m in the deck, carried by the vessel, and no drag"
     )
     deck.add("Lines", {
@@ -172,8 +172,11 @@ def _joint(deck: Deck, joint: TelescopicJoint, offset: float, rest: Rest) -> Non
         "LineType, Length, TargetSegmentLength": [[barrel, joint.length, joint.length / 4.0]],
         "IncludedInStatics": True, "StaticsStep1": "Catenary", "StaticsStep2": "Full statics",
     })  # fmt: skip
-    if joint.length > (of.elevation or 0.0) - rest.unstretched + 1e-6:
-        deck.otherwise["top.telescopic_joint.length"] = "from the unstretched riser to the top"
+    apart = (of.elevation or 0.0) - rest.unstretched
+    if abs(joint.length - apart) > 1e-6:
+        deck.otherwise["top.telescopic_joint.length"] = (
+            f"programs that read the deck may measure it from the unstretched riser to the top, {apart:.6g} m"
+        )
 
 
 def _body(deck: Deck, body: Body | None, on: str, height: float) -> None:
@@ -319,6 +322,11 @@ def _law(deck: Deck, rig: Tensioners, length: float) -> dict[str, Any]:
         reach = _with(np.zeros(1), reach)
         force = gas_force(gas, reach) - rig.piston_mass * gravity
         reach, force = reach[force >= 0.0], force[force >= 0.0]
+        if rig.piston_mass:
+            mass = f"{rig.piston_mass * sum(rig.working):.6g} kg"
+            deck.otherwise["top.tensioners.two_chamber_gas.pistons"] = (
+                f"their weight is in the law; their mass of {mass}, which moves with the ring, is not written"
+            )
     deck.otherwise[f"top.tensioners.{_named(rig)}"] = (
         f"the law is a table of {len(reach)} points from {reach[0]:.4g} m to {reach[-1]:.4g} m"
     )
