@@ -134,7 +134,8 @@ def test_run_times_are_told_beyond_their_scatter(seconds, text):
 
 @pytest.mark.parametrize(
     "sizes, text", [((0.1, 0.2, -0.3), "-30 % tension"), ((-0.5, 0.2, 0.3), "-50 % displacement"),
-                    ((0.1, 0.2, 0.15), "+20 % moment")]
+                    ((0.1, 0.2, 0.15), "+20 % moment"), ((0.101, -0.104, 0.102), "-10 % moment"),
+                    ((float("nan"), 0.1, 0.02), "+10 % moment"), ((float("nan"),) * 3, "change not known")]
 )  # fmt: skip
 def test_the_largest_change_is_told_with_its_quantity_and_sign(sizes, text):
     assert _largest(judged("added", *sizes)) == text

@@ -104,7 +104,13 @@ class Freedom(NamedTuple):
     """Unknowns of the solution, and their reasons."""
 
     unknowns: int
-    because: str
+    directions: str  # of motion, with the reason for them
+    by_node: str
+
+    @property
+    def because(self) -> str:
+        """All reasons for the number of unknowns."""
+        return f"{self.directions}: {self.by_node}"
 
 
 def freedom(scene: Resolved, model: Model) -> Freedom:
@@ -116,6 +122,6 @@ def freedom(scene: Resolved, model: Model) -> Freedom:
     moments = f" and {m} moment{'s' if m > 1 else ''}" if m else ""
     return Freedom(
         (d + m) * (n + 1) - held,
-        f"{directions} ({reason}): {d} position{'s' if d > 1 else ''}{moments} at each of "
-        f"{n + 1} nodes, less {held} that are held",
+        f"{directions} ({reason})",
+        f"{d} position{'s' if d > 1 else ''}{moments} at each of {n + 1} nodes, less {held} that are held",
     )

@@ -30,7 +30,7 @@ def solved_for(file: SceneFile) -> str:
     """Return the directions in which a scene can move, and the reasons."""
     scene = file.resolved()
     model = build(scene, fixed(file, BUDGET)[1], ring_elevation=0.0)
-    return freedom(scene, model).because.partition(":")[0]
+    return freedom(scene, model).directions
 
 
 class Prices(NamedTuple):
@@ -54,11 +54,11 @@ def priced(file: SceneFile) -> Prices:
         share = {cost.name: cost.share for cost in costs(scene, mesh, scene.analysis.step)}
     except SimulationError as error:
         return Prices({}, [f"no times: {error}"])
-    unknowns, because = freedom(scene, model)
+    free = freedom(scene, model)
     step = f", step {scene.analysis.step:.4g} s" if scene.analysis.step else ""
     text = [
         f"Timed on {len(mesh.l0)} segments{step}; the solver and all other parts take "
         f"{100 * share.pop(REST):.0f} %.",
-        f"{unknowns} degrees of freedom: {because}",
+        f"{free.unknowns} degrees of freedom: {free.because}",
     ]
     return Prices(share, text)

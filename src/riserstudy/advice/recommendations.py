@@ -29,8 +29,10 @@ class Row(NamedTuple):
     """One change of the scene: its effect on peaks and run time, and the advice."""
 
     label: str
+    effect: str  # that the change removes or adds
     because: str
-    changes: list[str]
+    sizes: list[float]  # relative changes (1) of displacement, moment and tension; NaN: not known
+    changes: list[str]  # the sizes and the change of the run time, in words
     verdict: str
     counts: bool
 
@@ -52,9 +54,9 @@ def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
     rows = [row(base, changed, limits) for changed in base.changed]
     order = (COULD_GO, MISSING, NEEDED, NO_GAIN, NOT_MISSED)
     rows.sort(key=lambda r: order.index(r.verdict) if r.verdict in order else len(order))
-    go = [f"{_effect(r)} (run time {r.changes[-1]})" for r in rows if r.verdict == COULD_GO]
-    idle = [_effect(r) for r in rows if r.verdict == NO_GAIN]
-    missing = [f"{_effect(r)} ({_largest(r)})" for r in rows if r.verdict == MISSING]
+    go = [f"{r.effect} (run time {r.changes[-1]})" for r in rows if r.verdict == COULD_GO]
+    idle = [r.effect for r in rows if r.verdict == NO_GAIN]
+    missing = [f"{r.effect} ({_largest(r)})" for r in rows if r.verdict == MISSING]
     limit = f"{100 * limits[0]:g} % of displacement, {100 * limits[1]:g} % of moment and tension"
     before, after = (f.resolved().analysis.duration for f in (file, base.file))
     step = f", step {base.step:.3g} s" if base.step else ""
@@ -146,9 +148,10 @@ def accuracy_of(scene: Resolved) -> tuple[float, float, float]:
 
 def row(base: Ablation, changed: Changed, limits: tuple[float, float, float]) -> Row:
     """Return the effect of a change, in words."""
-    label, because = changed.change.label, changed.because
+    label, effect, because = changed.change.label, changed.change.name, changed.because
     if changed.peaks is None or base.peaks is None or changed.message:
-        return Row(label, f"cannot be run: {changed.message}", [""] * 4, "cannot be run", False)
+        because = f"cannot be run: {changed.message}"
+        return Row(label, effect, because, [math.nan] * 3, [""] * 4, "cannot be run", False)
     sizes = _sizes(base, changed, base.peaks, changed.peaks)
     lost = math.isnan(changed.peaks.moment) and base.peaks.moment > 0.0
     small = not lost and all(
@@ -159,7 +162,7 @@ def row(base: Ablation, changed: Changed, limits: tuple[float, float, float]) ->
     else:
         verdict = NOT_MISSED if small else MISSING
     displayed = [*map(percent, sizes), longer(base, changed)]
-    return Row(label, because, displayed, verdict, verdict in (COULD_GO, MISSING))
+    return Row(label, effect, because, sizes, displayed, verdict, verdict in (COULD_GO, MISSING))
 
 
 def _sizes(base: Ablation, changed: Changed, before: Peaks, after: Peaks) -> list[float]:
@@ -176,22 +179,14 @@ def _sizes(base: Ablation, changed: Changed, before: Peaks, after: Peaks) -> lis
     return sizes
 
 
-def _effect(row: Row) -> str:
-    """Return the effect that a row removes or adds."""
-    return row.label.removeprefix("with ").removeprefix("without ")
-
-
 def _largest(row: Row) -> str:
     """Return the largest change of a row, with its quantity."""
-    sizes = [
-        (float(text.removesuffix(" %")), text, name)
-        for text, name in zip(row.changes, ("displacement", "moment", "tension"), strict=False)
-        if text
-    ]
-    if not sizes:
+    named = zip(row.sizes, ("displacement", "moment", "tension"), strict=True)
+    known = [(size, name) for size, name in named if not math.isnan(size)]
+    if not known:
         return "change not known"
-    _, text, name = max(sizes, key=lambda one: abs(one[0]))
-    return f"{text} {name}"
+    size, name = max(known, key=lambda one: abs(one[0]))
+    return f"{percent(size)} {name}"
 
 
 def saves(base: Ablation, changed: Changed) -> bool:
