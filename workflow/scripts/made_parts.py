@@ -58,7 +58,7 @@ def called_by(_: str) -> str:
     """Return the effects, each with its drawing and the part of a scene that includes it."""
     rows = [
         f"| ![drawing: {name}](images/effects/{file_of(name)}) | {name} "
-        f"| {' '.join(_code(word) for word in effect.section.split())} |"
+        f"| {' '.join(_code(word) for word in effect.requires.split())} |"
         for name, effect in catalogue().items()
     ]
     return "\n".join(["| | effect | included by |", "|---|---|---|", *rows])

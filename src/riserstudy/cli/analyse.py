@@ -85,7 +85,7 @@ def effects(
     for row in rows:
         word = "on" if row.on else "could be" if row.name in could else "off"
         if every or word != "off":
-            because = row.because if row.on else _needs(row.because)
+            because = row.because if row.on else f"needs {row.missing.replace(', and ', ' and ')}"
             cells = (row.name, word, because, *([share.get(row.name, "")] if times else []))
             table.add_row(*cells, style=None if row.on else "dim")
     console.print(table)
@@ -96,13 +96,6 @@ def effects(
     console.print(f"Degrees of freedom: {solved_for(file)}.", highlight=False)
     for line in price.sentences[:1] if times else []:
         console.print(line, highlight=False)
-
-
-def _needs(missing: str) -> str:
-    """Inputs that an effect needs, from the reason for its absence: "no wave, and riser.added_mass"."""
-    if not missing.startswith("no "):
-        return missing
-    return f"needs {missing.removeprefix('no ').replace(', and ', ' and ')}"
 
 
 def advise(scene: SceneArgument, settings: SetOption = None) -> None:

@@ -89,13 +89,11 @@ def energy(added, s):
 register(
     AddedMass,
     Called(
-        "contents",
-        "riser.contents, and lateral freedom",
-        (taken_out("contents", "riser[*].contents", "lateral"),),
+        "contents", "riser.contents", (taken_out("contents", "riser[*].contents", "lateral"),), lateral=True
     ),
     Called(
         "added mass",
-        "riser.added_mass, and lateral freedom",
+        "riser.added_mass",
         (
             taken_out("added mass", "riser[*].added_mass", "dynamics"),
             put_in(
@@ -110,6 +108,7 @@ register(
                 "lateral",
             ),
         ),
+        lateral=True,
     ),
     string_inertia=force,
     mass=mass,

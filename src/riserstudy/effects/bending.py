@@ -127,7 +127,7 @@ register(
     Bending,
     Called(
         "bending",
-        "bending stiffness, and lateral freedom",
+        "bending stiffness",
         (
             taken_out(
                 "bending",
@@ -139,6 +139,7 @@ register(
                 },
             ),
         ),
+        lateral=True,
     ),
     compliance=compliance,
     turn=turn,

@@ -119,7 +119,7 @@ def power(damping, s):
 
 register(
     BendingDamping,
-    Called("bending damping", "riser.structural_damping, and lateral freedom"),
+    Called("bending damping", "riser.structural_damping", lateral=True),
     turn=turn,
     tangent=tangent,
     potential=energy,

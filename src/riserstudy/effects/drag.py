@@ -146,7 +146,7 @@ register(
     Drag,
     Called(
         "drag",
-        "riser.drag, and lateral freedom",
+        "riser.drag",
         (
             taken_out("drag", "riser[*].drag", "lateral", sets={"riser[*].drag": None, "current": None}),
             put_in(
@@ -160,6 +160,7 @@ register(
                 "lateral",
             ),
         ),
+        lateral=True,
     ),
     string=force,
     tangent=tangent,

@@ -98,15 +98,16 @@ register(
     FlexJoint,
     Called(
         "flex joint",
-        "rotation.stiffness, and lateral freedom",
+        "rotation.stiffness",
         (
             taken_out(
                 "lower flex joint", "bottom.rotation.stiffness", "lateral", sets={"bottom.rotation": "free"}
             ),
             taken_out("upper flex joint", "top.rotation.stiffness", "lateral", sets={"top.rotation": "free"}),
         ),
+        lateral=True,
     ),
-    Called("clamp", "rotation: fixed, and lateral freedom"),
+    Called("clamp", "rotation: fixed", lateral=True),
     compliance=compliance,
     place=place,
     turn=turn,

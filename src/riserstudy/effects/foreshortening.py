@@ -64,8 +64,5 @@ def tangent(bent, s):
 
 
 register(
-    Foreshortening,
-    Called("foreshortening", "bending stiffness, and lateral freedom"),
-    string=force,
-    tangent=tangent,
+    Foreshortening, Called("foreshortening", "bending stiffness", lateral=True), string=force, tangent=tangent
 )

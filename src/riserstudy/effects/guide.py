@@ -55,9 +55,10 @@ register(
     Guide,
     Called(
         "guide",
-        "riser.guide_below, and lateral freedom",
+        "riser.guide_below",
         (taken_out("guide", "riser[*].guide_below", "lateral"),),
         example={"riser[1].guide_below": {"stiffness": "10 kN/m"}},
+        lateral=True,
     ),
     device=force,
     tangent=tangent,

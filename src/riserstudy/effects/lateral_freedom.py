@@ -7,11 +7,11 @@ needs. Without large rotations and axial motion, the model would be the beam for
 
 from __future__ import annotations
 
-from riserstudy.effects.registry import Called, call, put_in, taken_out
+from riserstudy.effects.registry import LATERAL_FREEDOM, Called, call, put_in, taken_out
 
 call(
     Called(
-        "lateral freedom",
+        LATERAL_FREEDOM,
         "a lateral load or motion",
         (
             taken_out("large rotation and axial motion", "lateral", sets={"analysis.solver": "hermite"}),

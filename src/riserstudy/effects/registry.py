@@ -11,6 +11,7 @@ from typing import Any, Literal, NamedTuple
 from riserstudy.solve.evaluate import Programs
 
 Need = Literal["dynamics", "lateral", "levels", "drag"]
+LATERAL_FREEDOM = "lateral freedom"  # name of the effect that others require
 
 
 class Change(NamedTuple):
@@ -56,12 +57,19 @@ class Called(NamedTuple):
     section : key of a scene that includes it.
     changes : changes that remove or add it, when effects are compared.
     example : path and value that include it in a plain riser held at both ends, if no common scene has it.
+    lateral : whether it also requires lateral freedom.
     """
 
     name: str
     section: str
     changes: tuple[Change, ...] = ()
     example: Mapping[str, Any] | None = None
+    lateral: bool = False
+
+    @property
+    def requires(self) -> str:
+        """All that a scene must contain for the effect."""
+        return f"{self.section}, and {LATERAL_FREEDOM}" if self.lateral else self.section
 
 
 ROLES: dict[type, dict[str, Callable]] = {}

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from riserstudy.effects.catalogue import catalogue
-
-SIDEWAYS = "lateral freedom"
-_ASKS = f", and {SIDEWAYS}"
+from riserstudy.effects.registry import LATERAL_FREEDOM
 
 
 def absent(present: set[str]) -> dict[str, str]:
@@ -14,18 +12,16 @@ def absent(present: set[str]) -> dict[str, str]:
     If nothing moves the riser sideways, this is the reason for every effect that requires lateral freedom. A
     riser that has one of these effects has lateral freedom, whether or not ``present`` contains it.
     """
-    sections = {name: effect.section for name, effect in catalogue().items()}
-    sideways = any(sections.get(name, "").endswith(_ASKS) for name in present)
-    known = present | ({SIDEWAYS} if sideways else set())
-    still = _why(sections[SIDEWAYS], "")
+    return {name: f"no {inputs}" for name, inputs in missing(present).items()}
+
+
+def missing(present: set[str]) -> dict[str, str]:
+    """Effects that are not present, each with the input of the scene that it lacks; see ``absent``."""
+    effects = catalogue()
+    moves = LATERAL_FREEDOM in present or any(effects[n].lateral for n in present & effects.keys())
+    known = present | ({LATERAL_FREEDOM} if moves else set())
     return {
-        name: _why(why, "" if SIDEWAYS in known else still)
-        for name, why in sections.items()
+        name: effects[LATERAL_FREEDOM if effect.lateral and not moves else name].section.removeprefix("a ")
+        for name, effect in effects.items()
         if name not in known
     }
-
-
-def _why(why: str, instead: str) -> str:
-    if why.endswith(_ASKS):
-        return instead or f"no {why.removesuffix(_ASKS)}"
-    return f"no {why.removeprefix('a ')}"

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from riserstudy.model.absent_effects import absent
+from riserstudy.effects.registry import LATERAL_FREEDOM
+from riserstudy.model.absent_effects import missing
 from riserstudy.model.build import build
 from riserstudy.model.mesh import even
 from riserstudy.scene.resolve import Resolved
@@ -16,6 +17,7 @@ class Row(NamedTuple):
     name: str
     on: bool
     because: str
+    missing: str  # inputs that an effect that is off requires
 
 
 def ledger(scene: Resolved) -> list[Row]:
@@ -23,6 +25,6 @@ def ledger(scene: Resolved) -> list[Row]:
     model = build(scene, even(scene, max(2, len(scene.riser))), ring_elevation=0.0)
     on = {effect.name: effect.because for effect in model.effects}
     if scene.lateral:
-        on["lateral freedom"] = scene.lateral
-    rows = [Row(name, True, because) for name, because in on.items()]
-    return rows + [Row(name, False, why) for name, why in absent(set(on)).items()]
+        on[LATERAL_FREEDOM] = scene.lateral
+    rows = [Row(name, True, because, "") for name, because in on.items()]
+    return rows + [Row(name, False, f"no {inputs}", inputs) for name, inputs in missing(set(on)).items()]
