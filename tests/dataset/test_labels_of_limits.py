@@ -7,7 +7,7 @@ import xarray as xr
 from random_rigs import moving, written
 
 from riserstudy import sweep
-from riserstudy.dataset.limits import label, labels
+from riserstudy.dataset.limits import label, labels, mode_and_limit
 from riserstudy.scene.load import SceneFile
 
 ANGLES = ("lfj_angle", "ufj_angle", "von_mises_stress", "effective_tension")
@@ -38,6 +38,8 @@ def test_labels_differ_and_begin_with_the_words_of_the_limit(seed):
     assert all(name.startswith(label(one)) for name, one in zip(names, found, strict=True))
     alone = [one for one in found if [label(other) for other in found].count(label(one)) == 1]
     assert all(label(one) in names for one in alone)
+    assert [mode_and_limit(name)[0] for name in names] == [one.mode for one in found]
+    assert [": ".join(mode_and_limit(name)) for name in names] == names
 
 
 @pytest.mark.parametrize("seed", range(2))

@@ -10,6 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from riserstudy.dataset.limits import mode_and_limit
 from riserstudy.figures.direct import label_ends
 from riserstudy.figures.names import in_words
 from riserstudy.figures.style import COLOURS, GREY, headline, key_below, panel_title, panels, shades
@@ -47,8 +48,8 @@ def _chart(operability: xr.Dataset, mode: str) -> Figure:
     """Draw the limits of a mode over current, one panel per mud density; limits that govern are strong."""
     muds = operability["mud_weight"].values
     figure, axes = panels(1, len(muds), 4.2, sharey=True)
-    mine = [name for name in operability["limit"].values if str(name).startswith(mode + ":")]
-    mine.sort(key=_place)
+    mine = [name for name in operability["limit"].values if mode_and_limit(str(name))[0] == mode]
+    mine.sort(key=lambda name: _place(str(name)))
     limits = operability["offset_of_limit"]
     envelopes = operability["envelope_offset"].sel(operation=mode)
     strong: dict[str, list[Line2D]] = {}  # in the last panel
@@ -56,7 +57,7 @@ def _chart(operability: xr.Dataset, mode: str) -> Figure:
         for name in mine:
             if not np.isfinite(limits.sel(limit=name)).any():
                 continue
-            limit = str(name).partition(": ")[2]
+            _, limit = mode_and_limit(str(name))
             governs = bool((limits.sel(limit=name) == envelopes).any())
             lines = _line(
                 ax,
@@ -91,7 +92,7 @@ def _in_words(limit: str) -> str:
 
 def _place(name: str) -> int:
     """Place of a limit in the key: limits of one joint are neighbours; unknown ones are last."""
-    limit = str(name).partition(": ")[2]
+    _, limit = mode_and_limit(name)
     return [*OF_LIMIT, limit].index(limit)
 
 

@@ -293,6 +293,12 @@ def label(one: Checked | Limit) -> str:
     return f"{one.mode}: {one.side} {one.output}{place}"
 
 
+def mode_and_limit(text: str) -> tuple[str, str]:
+    """The mode of a limit and its other words, from its ``label``; no mode contains a colon."""
+    mode, _, words = text.partition(": ")
+    return mode, words
+
+
 def labels(limits: Sequence[Checked | Limit]) -> list[str]:
     """Limits in words, which differ: of several that would have the same words, later ones are numbered."""
     found: list[str] = []

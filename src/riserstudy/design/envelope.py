@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from riserstudy.dataset.limits import labels
+from riserstudy.dataset.limits import labels, mode_and_limit
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.design.envelopes import SIDES, envelopes
 from riserstudy.design.operability import AtRest, Offsets, moved, offsets_at
@@ -145,13 +145,13 @@ def _ends(limits: xr.DataArray, mode: str, lost: NDArray[np.bool_], also: NDArra
     lost : (limits,) true for limits that could not be evaluated.
     also : (limits,) offset (m) outside of its range at which a limit is met, too; NaN: none.
     """
-    labels = [str(name).split(": ", 1) for name in limits["limit"].values]
-    of = [k for k, (of_mode, _) in enumerate(labels) if of_mode == mode]
-    without = [labels[k][1] for k in of if lost[k]]
+    modes, words = zip(*(mode_and_limit(str(name)) for name in limits["limit"].values), strict=True)
+    of = [k for k, of_mode in enumerate(modes) if of_mode == mode]
+    without = [words[k] for k in of if lost[k]]
     limits = limits.isel(limit=[k for k in of if not lost[k]])
     notes = [f"not evaluated: {', '.join(without)}"] if without else []
     notes += [
-        f"{labels[k][1]} is met at other offsets, too, such as {also[k]:.4g} m"
+        f"{words[k]} is met at other offsets, too, such as {also[k]:.4g} m"
         for k in of
         if not math.isnan(also[k])
     ]

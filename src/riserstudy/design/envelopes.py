@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
+from riserstudy.dataset.limits import mode_and_limit
+
 SIDES = ("low", "high")
 NONE = "none"
 
@@ -14,7 +16,7 @@ def envelopes(limits: xr.DataArray) -> xr.Dataset:
 
     NaN if they are met at no offset.
     """
-    modes = [str(name).split(":")[0] for name in limits["limit"].values]
+    modes = [mode_and_limit(str(name))[0] for name in limits["limit"].values]
     parts = []
     for mode in dict.fromkeys(modes):
         of = limits.isel(limit=[k for k, name in enumerate(modes) if name == mode])
@@ -36,5 +38,5 @@ def envelopes(limits: xr.DataArray) -> xr.Dataset:
 
 
 def _named(which: xr.DataArray, of: xr.DataArray) -> xr.DataArray:
-    names = [str(name).split(": ", 1)[1] for name in of["limit"].values]
+    names = [mode_and_limit(str(name))[1] for name in of["limit"].values]
     return which.copy(data=np.array(names, object)[which.values]).drop_vars("offset_side")
