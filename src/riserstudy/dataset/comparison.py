@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from riserstudy.dataset.external.columns import Column, in_si
 from riserstudy.dataset.external.read import read_external
 from riserstudy.dataset.lag import lag
-from riserstudy.dataset.wall_tension import Walls
+from riserstudy.dataset.wall_tension import Added, Walls
 from riserstudy.errors import InputError
 from riserstudy.scene.resolve import Resolved
 
@@ -126,19 +126,22 @@ def _pair(run: xr.Dataset, scene: Resolved | None, path: Path, axis: str, column
         raise InputError(path, title, found, f"give the place in the heading: `{name} at {where} ({unit})`")
     stored = str(run[name].attrs.get("units", "1"))
     along, theirs = column.along, in_si(path, title, column.values, unit, stored)
-    inside, known = _inside(along, run[dim].values.astype(float), notes, axis)
-    along, theirs = along[inside], theirs[inside]
+    known = run[dim].values.astype(float)
+    inside, left_out = _inside(along, known, axis)
+    along, theirs, notes = along[inside], theirs[inside], notes + left_out
     if wall:
         added = _walls(run, scene, path, title, axis, place, along)
-        theirs, notes = theirs + added[0], notes + added[1]
+        theirs, notes = theirs + added.force, [*notes, *added.notes, *added.left_out]
+        left_out += added.left_out
     mine = np.interp(along, known, ours.values.astype(float))
     if not np.isin(along, known).all():
         notes.append(f"the run is interpolated over {axis}")
-    there = _both(theirs, mine, notes)
+    there, without = _both(theirs, mine)
+    notes, left_out = notes + without, left_out + without
     if there.sum() < FEWEST:
         found = f"only {int(there.sum())} rows have numbers between {known[0]:g} and {known[-1]:g}, where "
         found += "the run has results"
-        why = "".join(f"; {note}" for note in notes if note.startswith("left out"))
+        why = "".join(f"; {note}" for note in left_out)
         raise InputError(path, title, found, f"give at least {FEWEST} rows there{why}")
     where = "" if place is None else f" at {place:g} m"
     where = where if cylinder is None else f" at cylinder {cylinder}"
@@ -173,24 +176,23 @@ def _sized(run: xr.Dataset, name: str) -> tuple[xr.DataArray, list[str]]:
     ]
 
 
-def _inside(
-    along: FloatArray, known: FloatArray, notes: list[str], axis: str
-) -> tuple[NDArray[np.bool_], FloatArray]:
-    """For each row, whether it is within the range of the run; rows outside are noted."""
+def _inside(along: FloatArray, known: FloatArray, axis: str) -> tuple[NDArray[np.bool_], list[str]]:
+    """For each row, whether it is within the range of the run; a note on rows outside."""
     inside = (along >= known[0]) & (along <= known[-1])
-    if not inside.all():
-        span = f"{axis} from {known[0]:g} to {known[-1]:g}"
-        notes.append(f"left out: {int((~inside).sum())} of {len(along)} rows, beyond the run's {span}")
-    return inside, known
+    if inside.all():
+        return inside, []
+    span = f"{axis} from {known[0]:g} to {known[-1]:g}"
+    return inside, [f"left out: {int((~inside).sum())} of {len(along)} rows, beyond the run's {span}"]
 
 
-def _both(theirs: FloatArray, ours: FloatArray, notes: list[str]) -> NDArray[np.bool_]:
-    """For each row, whether both have a number; other rows are noted."""
+def _both(theirs: FloatArray, ours: FloatArray) -> tuple[NDArray[np.bool_], list[str]]:
+    """For each row, whether both have a number; notes on other rows."""
+    notes = []
     for whose, values in (("the file", theirs), ("the run", ours)):
         missing = int((~np.isfinite(values)).sum())
         if missing:
             notes.append(f"left out: {missing} of {len(values)} rows, where {whose} has no number")
-    return np.isfinite(theirs) & np.isfinite(ours)
+    return np.isfinite(theirs) & np.isfinite(ours), notes
 
 
 def _walls(
@@ -201,15 +203,14 @@ def _walls(
     axis: str,
     place: float | None,
     along: FloatArray,
-) -> tuple[FloatArray, list[str]]:
+) -> Added:
     """The difference of effective tension and wall tension (N), with notes on how it was computed."""
     if scene is None:
         found = "is wall tension, and the dataset has no scene from which effective tension is computed"
         allowed = "compute T_e = T_w + p_o A_o - p_i A_i yourself, and name the column effective_tension"
         raise InputError(path, title, found, allowed)
     walls = Walls(run, scene, path, title)
-    added = walls.along(along) if axis == "s" else walls.over_time(place or 0.0, along)
-    return added.force, added.notes
+    return walls.along(along) if axis == "s" else walls.over_time(place or 0.0, along)
 
 
 def _at(path: Path, title: str, values: xr.DataArray, place: float) -> tuple[xr.DataArray, str]:

@@ -36,6 +36,7 @@ class Added(NamedTuple):
 
     force: FloatArray  # p_o A_o - p_i A_i (N), in the requested shape; NaN where two walls meet
     notes: list[str]  # a line each
+    left_out: tuple[str, ...] = ()  # notes on places without a force, a line each
 
 
 class Walls:
@@ -76,9 +77,8 @@ class Walls:
             )
             force = force.mean(axis=0)
         met = places[np.isnan(force)]
-        if len(met):
-            notes.append(f"left out where walls of two sections meet: {_list(met)} m")
-        return Added(force, notes)
+        left_out = (f"left out where walls of two sections meet: {_list(met)} m",) if len(met) else ()
+        return Added(force, notes, left_out)
 
     def _elevations(self, run: xr.Dataset) -> tuple[FloatArray | None, FloatArray, FloatArray]:
         """Times (s; None if static), stations (m), and elevations (m), (time, station) or (station,)."""
