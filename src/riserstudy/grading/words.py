@@ -249,7 +249,9 @@ def result_of(kind: Kind, unit: str, outcome: Outcome, together: Together | None
     values = f"{' to '.join(ends)}{_unit(unit)}"
     if outcome.readings:
         found = by_reading(kind, outcome.readings)
-        return values, found if found.startswith("with ") else f"{judged} {found}"
+        if all(reading.answer == "depends" for reading in outcome.readings):
+            return values, found  # has a subject for each interpretation
+        return values, f"{judged} {found}"
     share = outcome.share
     if share is not None and share.samples > 1:
         by = f", depending most on {listed(outcome.decided_by)}" if outcome.decided_by else ""
