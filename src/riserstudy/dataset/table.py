@@ -11,12 +11,25 @@ Cell = str | float | int | None
 OF_ROW = "*"  # unit of a column whose unit differs by row, and is in the column `unit`
 
 
+class Station(NamedTuple):
+    """The station of a column, which its heading gives after the name of the output."""
+
+    column: int
+    output: str
+    s: float  # m
+
+    def heading(self, length: float = 1.0, unit: str = "m") -> str:
+        """The heading, which `compare` can read. ``length``: factor from m to the unit (1)."""
+        return f"{self.output} at {length * self.s:.8g} {unit}"
+
+
 class Table(NamedTuple):
     """Columns, their units ("" for none, ``OF_ROW`` for the unit in the row's column ``unit``) and rows."""
 
     columns: list[str]
     units: list[str]
     rows: list[list[Cell]]
+    stations: Sequence[Station] = ()
 
 
 def aligned(rows: Sequence[Sequence[str]], right: Sequence[bool] = ()) -> list[str]:

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from riserstudy.dataset.recoil_table import recoil
 from riserstudy.dataset.stack_up import stack_up
-from riserstudy.dataset.table import OF_ROW, Cell, Table, aligned, heads
+from riserstudy.dataset.table import OF_ROW, Cell, Station, Table, aligned, heads
 from riserstudy.dataset.unit_systems import UnitSystem, read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
@@ -18,8 +17,6 @@ from riserstudy.scene.resolve import Resolved
 
 if TYPE_CHECKING:
     import xarray as xr
-
-_STATION = re.compile(r" at (\S+) m$")
 
 
 def extremes(dataset: xr.Dataset) -> Table:
@@ -42,6 +39,7 @@ def time_series(dataset: xr.Dataset) -> Table:
         found = "the run is static and has no time histories"
         raise InputError("dataset", "time", found, "add analysis.duration and output to its scene")
     columns, units, values = ["time"], ["s"], [dataset["time"].values]
+    stations = []
     for name, history in dataset.data_vars.items():
         if "time" not in history.dims:
             continue
@@ -49,17 +47,17 @@ def time_series(dataset: xr.Dataset) -> Table:
         across = [dim for dim in history.dims if dim != "time"]
         for k in range(history.sizes[across[0]] if across else 1):
             at = history.isel({across[0]: k}) if across else history
-            place = _place(str(across[0]), dataset[across[0]][k].item()) if across else ""
-            columns.append(f"{name}{place}")
+            heading = str(name)
+            if across and across[0] == "s":
+                stations.append(Station(len(columns), heading, float(dataset["s"][k])))
+                heading = stations[-1].heading()
+            elif across:
+                heading = f"{name} at {across[0]} {dataset[across[0]][k].item():g}"
+            columns.append(heading)
             units.append(unit)
             values.append(at.values)
     rows: list[list[Cell]] = [[float(v) for v in row] for row in zip(*values, strict=True)]
-    return Table(columns, units, rows)
-
-
-def _place(dim: str, value: float) -> str:
-    """Place of a history in a heading that `compare` can read: a station (m), or a cylinder."""
-    return f" at {value:.8g} m" if dim == "s" else f" at {dim} {value:g}"
+    return Table(columns, units, rows, stations)
 
 
 def limits(dataset: xr.Dataset) -> Table:
@@ -78,10 +76,9 @@ def in_units(table: Table, system: UnitSystem) -> Table:
     Places in headings are converted, too.
     """
     length = read_in("m", system)
-    columns = [
-        _STATION.sub(lambda at: f" at {length.factor * float(at[1]):.8g} {length.unit}", name)
-        for name in table.columns
-    ]
+    columns = [*table.columns]
+    for station in table.stations:
+        columns[station.column] = station.heading(length.factor, length.unit)
     whole = [read_in(unit, system) for unit in table.units]
     own = table.columns.index("unit") if "unit" in table.columns else None
 
@@ -99,7 +96,7 @@ def in_units(table: Table, system: UnitSystem) -> Table:
         return cells
 
     units = [unit if unit == OF_ROW else one.unit for unit, one in zip(table.units, whole, strict=True)]
-    return Table(columns, units, [converted(row) for row in table.rows])
+    return Table(columns, units, [converted(row) for row in table.rows], table.stations)
 
 
 def in_columns(table: Table) -> list[str]:
