@@ -11,6 +11,7 @@ from riserstudy.dataset.extremes import OVER
 from riserstudy.dataset.label import history
 from riserstudy.dataset.origins import joined, origins_of
 from riserstudy.dataset.supporting_points import parent
+from riserstudy.dataset.title import titled
 from riserstudy.scene.origin import unwrap
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ def derive(
     if settings:
         dataset.attrs["settings"] = json.dumps(settings)
     origins = joined([own, *map(origins_of, datasets.values())])
-    dataset.attrs.setdefault("title", f"{paper}: {name.replace('_', ' ')}")
+    dataset.attrs.setdefault("title", titled(name.replace("_", " "), paper))
     dataset.attrs["origins"] = json.dumps(origins)
     dataset.attrs["parents"] = json.dumps({name: parent(d) for name, d in datasets.items()})
     dataset.attrs["history"] = history(f"derived {name} of {paper} from {', '.join(datasets)}")

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from riserstudy.chapters import function_of
 from riserstudy.dataset.label import history
+from riserstudy.dataset.title import titled
 from riserstudy.files.digests import engine_digest
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ def measure(paper: str, name: str, model: MeasuredModel, setting: Setting) -> xr
     dataset: xr.Dataset = function_of(paper, "measured", name)(model, setting)
     dataset.attrs |= {
         "Conventions": "CF-1.11",
-        "title": f"{paper} {name}: {model.caption}",
+        "title": titled(model.caption, paper, name),
         "tier": setting.tier,
         "engine": engine_digest(),
         "history": history(f"measured {paper} {name}, tier {setting.tier}"),

@@ -9,6 +9,7 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.dataset.provenance import scene_of_point
+from riserstudy.dataset.title import titled
 from riserstudy.dataset.variables import attributes
 from riserstudy.scene.resolve import Resolved
 
@@ -18,7 +19,7 @@ def described(dataset: xr.Dataset, paper: str, title: str) -> xr.Dataset:
     for name in dataset.variables:
         kept = {k: v for k, v in dataset[name].attrs.items() if str(name).startswith("assumed_")}
         dataset[name].attrs = attributes(str(name)) | kept
-    dataset.attrs = {"Conventions": "CF-1.11", "paper": paper, "title": f"{paper}: {title}"}
+    dataset.attrs = {"Conventions": "CF-1.11", "paper": paper, "title": titled(title, paper)}
     return dataset.drop_vars([n for n in dataset.coords if n not in dataset.dims])
 
 

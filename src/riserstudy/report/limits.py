@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from riserstudy.dataset.limits import EXCEEDED, UNKNOWN
+from riserstudy.dataset.title import caption_of
 from riserstudy.dataset.unit_systems import read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.figures.grid import called
@@ -59,7 +60,7 @@ def limit_tables(datasets: Mapping[str, xr.Dataset]) -> list[LimitTable]:
 
 def _about(name: str, dataset: xr.Dataset) -> str:
     """Return the title of a study without the name of the paper, else the name of the study."""
-    return str(dataset.attrs.get("title", "")).partition(": ")[2] or name.replace("_", " ")
+    return caption_of(str(dataset.attrs.get("title", ""))) or name.replace("_", " ")
 
 
 def _rows(dataset: xr.Dataset) -> list[LimitRow]:

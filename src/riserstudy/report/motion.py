@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.provenance import scene_of_point
+from riserstudy.dataset.title import caption_of
 from riserstudy.figures.grid import evenly_spaced
 from riserstudy.report.wording import unit
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS
@@ -109,7 +110,7 @@ def _displaced(scene: Resolved, time: Array) -> Array | None:
 
 
 def _title(dataset: xr.Dataset, at: dict[str, Any]) -> str:
-    about = str(dataset.attrs["title"]).partition(": ")[2]
+    about = caption_of(str(dataset.attrs["title"]))
     chosen = [f"{axis.replace('_', ' ')}: {_with_unit(dataset[axis], at[axis])}" for axis in at]
     return f"{about} ({'; '.join(chosen)})" if chosen else about
 

@@ -12,6 +12,7 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.dataset.label import history
+from riserstudy.dataset.title import titled
 from riserstudy.dataset.variables import attributes
 from riserstudy.files.digests import engine_digest
 from riserstudy.scene.units import to_si
@@ -223,7 +224,7 @@ def _about(study: SeasStudy, found: Sequence[Downtime], record: xr.Dataset) -> d
     model = study.model
     return {
         "Conventions": "CF-1.11",
-        "title": f"{study.paper} {study.name}: {model.caption}",
+        "title": titled(model.caption, study.paper, study.name),
         "paper": study.paper,
         "tier": study.tier,
         "digest": study.digest,

@@ -17,6 +17,7 @@ from riserstudy.dataset.label import UNLABELLED, coordinates, dimensions, histor
 from riserstudy.dataset.netcdf import write_netcdf
 from riserstudy.dataset.provenance import provenance_of_study
 from riserstudy.dataset.result import Result
+from riserstudy.dataset.title import titled
 from riserstudy.dataset.variables import attributes, cf_unit
 from riserstudy.errors import SimulationError
 from riserstudy.records.facts import point_columns
@@ -334,7 +335,7 @@ def attributes_of_points(known: Known) -> dict[str, str]:
 def _about(study: Study, results: list[Result]) -> dict[str, Any]:
     return {
         "Conventions": "CF-1.11",
-        "title": f"{study.paper} {study.name}: {study.model.caption}",
+        "title": titled(study.model.caption, study.paper, study.name),
         "paper": study.paper,
         "tier": study.tier,
         "digest": study.digest,
