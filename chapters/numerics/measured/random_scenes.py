@@ -18,6 +18,7 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from chapters.numerics.answers import NOT_JUDGED
 from chapters.numerics.attempt import Outcome, attempt, attempt_on, errors, in_time
 from chapters.numerics.fixed_step import freed, stepped, whole
 from chapters.numerics.models import Family, RandomStudy, in_tier
@@ -48,7 +49,6 @@ WHERE = "config/studies/numerics.yaml: measured.random_scenes"
 STUDY = "random_scenes"  # folder of references
 QUICK = replace(SMOOTH, most_first=1e7)  # cheaper first refinement: there are many scenes
 LONGEST = 30.0  # s, longest run to the tolerance for which a reference is computed
-NOT_JUDGED = "not judged"
 LEVELS = tuple(2.0 ** (k / 2) for k in range(24))  # factors on mesh and step, from coarse to fine
 COARSE = 6  # segments, and steps per period, of the first level
 CHEAPEST = 32.0  # the search begins at the work of the request divided by this factor

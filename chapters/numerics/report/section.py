@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from chapters.numerics.answers import STEP_FOUND
+from chapters.numerics.answers import NOT_JUDGED, STEP_FOUND
 from chapters.numerics.report.tables import tables
 from riserstudy.records.numerals import duration
 from riserstudy.records.page import Cell, Section, Table
@@ -144,7 +144,7 @@ def costs(effects: xr.Dataset) -> list[str]:
 def random_scenes(drawn: xr.Dataset) -> list[str]:
     """State how often tolerances are met, how good the error estimates are, and the relative work."""
     requested, count = float(drawn.attrs["requested"]), drawn.sizes["drawn"]
-    left = int(drawn["message"].str.startswith("not judged").sum())
+    left = int(drawn["message"].str.startswith(NOT_JUDGED).sum())
     ran = drawn.isel(drawn=drawn["true"].notnull().values)
     were = "was" if count == 1 else "were"
     counts = (
