@@ -11,6 +11,7 @@ from chapters.mao_hangoff.towed import displacement
 
 STATED = 130.0  # s, the time of Fig 9
 ELEMENTS = 50  # number of equal elements in the paper
+CURRENTS = (2.0, 2.5, 3.0)  # m/s, current speeds of the tracks in one profile
 PRINTED = ("x_heavy", "x_light", "moment")  # the three numbers that the paper prints
 
 
@@ -74,17 +75,20 @@ def last_over_first(values: xr.DataArray, axis: str) -> xr.DataArray:
     return values.isel({axis: -1}, drop=True) / values.isel({axis: 0}, drop=True)
 
 
+def track_name(angle: float, current: float | None = None) -> str:
+    """Name of a track in one profile, by its angle (deg) and the current speed (m/s) if it has an effect."""
+    return f"{angle:g} deg" if current is None else f"{angle:g} deg, {current:g} m/s"
+
+
 def at_angle(runs: xr.DataArray, angle: float) -> xr.DataArray:
     """Values at a track angle (deg), over the current speed (m/s) if the tracks state it."""
     if "track_angle" in runs.dims:
         return runs.sel(track_angle=angle, drop=True)
-    by_speed = {}
-    for label in runs["track"].values:
-        degrees, _, speed = str(label).partition(" deg, ")
-        if degrees == f"{angle:g}":
-            by_speed[float(speed.split()[0])] = runs.sel(track=label, drop=True)
+    names = {current: track_name(angle, current) for current in CURRENTS}
+    tracks = set(runs["track"].values)
+    by_speed = {u: runs.sel(track=name, drop=True) for u, name in names.items() if name in tracks}
     if not by_speed:  # across the current, its speed has no effect
-        return runs.sel(track=f"{angle:g} deg", drop=True)
+        return runs.sel(track=track_name(angle), drop=True)
     speeds = xr.DataArray(list(by_speed), dims="track_current", name="track_current")
     return xr.concat(by_speed.values(), speeds)
 

@@ -21,6 +21,7 @@ from chapters.mao_hangoff.runs import (
     largest,
     misses_of_print,
     moments,
+    track_name,
 )
 from chapters.mao_hangoff.towed import at_top
 from riserstudy.grading.found import answers
@@ -152,7 +153,7 @@ def load_power(runs: xr.Dataset) -> dict[str, Any]:
     """Exponent with which x increases with speed: tracks at 0 and 180 deg, both speeds in one profile."""
     x, sets = tracks(runs), unwrap(json.loads(runs["track"].attrs["sets"]))[0]
     slow, fast = (
-        abs(to_si(sets[f"{angle} deg, {CURRENT:g} m/s"]["current.profile.surface_speed"], "m/s"))
+        abs(to_si(sets[track_name(angle, CURRENT)]["current.profile.surface_speed"], "m/s"))
         for angle in (0, 180)
     )
     ratio = x["x180"] / x["x0"]

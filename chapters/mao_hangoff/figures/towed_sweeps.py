@@ -22,7 +22,7 @@ from chapters.mao_hangoff.figures.towed_shared import (
     sign_of_largest,
     towed_panels,
 )
-from chapters.mao_hangoff.runs import STATED, as_drawn
+from chapters.mao_hangoff.runs import STATED, as_drawn, track_name
 from chapters.mao_hangoff.towed import displacement
 from riserstudy.figures.direct import label_line
 from riserstudy.figures.insets import enlarge, name_axes
@@ -44,8 +44,9 @@ TRACKS = {0.0: "track at 0° (along)", 45.0: "track at 45°", 90.0: "track at 90
 TOP = 30.0  # m, depth of the enlarged part of Fig 13b
 THICK, THIN = 2.0, 0.8  # points, widths of lines of the first and the other profile
 ALIKE = 1.0  # %, largest difference of curves that are drawn inside each other
-ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
-ALL_TRACKS = (*ONE_PROFILE, "135 deg, 3 m/s", "180 deg, 3 m/s")
+#: tracks in one profile by angle (deg), in a current of 3 m/s, which has no effect across the track
+IN_ONE_PROFILE = {a: track_name(a, None if a == 90.0 else 3.0) for a in (0.0, 45.0, 90.0, 135.0, 180.0)}
+ONE_PROFILE = [IN_ONE_PROFILE[angle] for angle in TRACKS]  # tracks of Fig 13
 #: interpretations of the speeds in Fig 13
 ONE = "interpretation 1: current minus platform speed varies with height (power 1/4)"
 TWO = "interpretation 2: only the current varies with height (power 1/4)"
@@ -236,7 +237,7 @@ def _along_and_across(ax: Axes, track_angle: xr.Dataset, astern: xr.DataArray) -
     at = track_angle.sel(time=STATED)
     across = abs(at["lmrp_displacement_cross"])
     angles = at["track_angle"]
-    of_track = {float(str(t).split(" deg")[0]): float(astern.sel(track=t)) for t in ALL_TRACKS}
+    of_track = {angle: float(astern.sel(track=name)) for angle, name in IN_ONE_PROFILE.items()}
     for x, values, line, label, share, offset in (
         ([*of_track], [*of_track.values()], ".-", "along, 1", 0.8, (6.0, -3.0)),
         (angles, -at["lmrp_displacement"], "-.", "along, 2", 0.85, (-6.0, 2.0)),

@@ -8,6 +8,7 @@ import xarray as xr
 from mao import CONFIG, FILE, PAPER, hung_off, planned, small, small_steady
 
 from chapters.mao_hangoff.derived.towed import towed
+from chapters.mao_hangoff.runs import CURRENTS, track_name
 from chapters.mao_hangoff.towed import at_top, displacement
 from riserstudy.chapters.derive import derive
 from riserstudy.errors import InputError
@@ -32,6 +33,11 @@ def test_samples_draw_readings_by_name_and_set_what_they_mean():
         reading = FILE.readings["riser_weight"][assumed["riser_weight"]]
         assert reading.items() <= sets.items()
         assert "riser_weight" not in sets
+
+
+def test_tracks_in_one_profile_have_the_names_by_which_claims_and_figures_find_them():
+    along = {track_name(angle, current) for angle in (0, 45, 135, 180) for current in CURRENTS}
+    assert {*FILE.readings["track"]} == along | {track_name(90)}
 
 
 def test_an_unknown_reading_is_refused(tmp_path):
