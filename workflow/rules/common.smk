@@ -26,36 +26,36 @@ except InputError as error:
 def of(question):
     """What the plan says of the paper and the dataset or figure that a rule's wildcards name."""
 
-    def asked(wildcards):
+    def requested(wildcards):
         begin_once()
         return question(*wildcards)
 
-    return asked
+    return requested
 
 
 def code(question):
     """Files of a chapter that a rule runs. What counts in them is in its digest, so their age does not."""
-    asked = of(question)
+    requested = of(question)
     return lambda wildcards: [
-        ancient(file) for file in chapter_files(wildcards.paper, asked(wildcards))
+        ancient(file) for file in chapter_files(wildcards.paper, requested(wildcards))
     ]
 
 
 def of_any_age(question):
     """Files whose age does not count: records, whose content is in a digest, and marks of compiled kernels,
     which another run may write again."""
-    asked = of(question)
-    return lambda wildcards: [ancient(file) for file in asked(wildcards)]
+    requested = of(question)
+    return lambda wildcards: [ancient(file) for file in requested(wildcards)]
 
 
 def half(question):
     """Threads that a job claims: on this machine half of the cores that it uses. While one job plans its
     points or writes its dataset, on one core, another then uses the rest."""
-    asked = of(question)
+    requested = of(question)
     return lambda wildcards: (
-        max(1, min(asked(wildcards), workflow.cores or ALL_CORES) // SHARED)
+        max(1, min(requested(wildcards), workflow.cores or ALL_CORES) // SHARED)
         if workflow.local_exec
-        else asked(wildcards)
+        else requested(wildcards)
     )
 
 
