@@ -254,7 +254,7 @@ def test_a_long_run_is_priced_and_announced(command, tmp_path, monkeypatch):
     seconds = [float(line.split()[-2]) for line in said.splitlines()[1:]]
     assert len(seconds) > 1
     assert min(seconds) > 0.0
-    monkeypatch.setattr("riserstudy.cli.shared.WORTH_TELLING", 0.0)
+    monkeypatch.setattr("riserstudy.cli.shared.NOTEWORTHY", 0.0)
     monkeypatch.setattr("riserstudy.simulation.progress_line.LATE", 0.0)
     code, _, told = command("run", SURGE, "-o", tmp_path / "out.nc", *long, "--accuracy", "5%")
     assert code == 0

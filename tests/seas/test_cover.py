@@ -166,9 +166,9 @@ def test_the_sea_states_of_some_rows_are_those_of_these_rows(seed):
     of = board(lambda height, _: np.zeros_like(height))
     state = draw.integers(-1, 12, 60)
     rows = draw.random(60) < 0.4
-    besides = [70, 3]
-    there = of._replace(state_of_row=state).among(rows, besides)
-    expected = [of.states[k].tolist() for k in sorted({*state[rows & (state >= 0)], *besides})]
+    others = [70, 3]
+    there = of._replace(state_of_row=state).among(rows, others)
+    expected = [of.states[k].tolist() for k in sorted({*state[rows & (state >= 0)], *others})]
     assert there.states.tolist() == expected
     for k in range(60):
         if rows[k] and state[k] >= 0:

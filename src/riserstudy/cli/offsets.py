@@ -179,14 +179,14 @@ def _ranges(limits: Sequence[Limit], found: Sequence[Offsets], added: Mapping[st
     from riserstudy.dataset.unit_systems import UnitSystem, read_in
     from riserstudy.scene.limits import UNITS
 
-    shown = any(added.values())
-    rows = [("limit", "allowable", *["allowance"] * shown, "offsets")]
+    allowance_column = any(added.values())
+    rows = [("limit", "allowable", *["allowance"] * allowance_column, "offsets")]
     for limit, name, between in zip(limits, labels(limits), found, strict=True):
         factor, unit = read_in(UNITS[limit.output], UnitSystem.FIELD)
         add = 0.0 if limit.side == "mean" else added.get(limit.output, 0.0)
         allowance = f"{factor * add:.4g} {unit}" if add else ""
         allowable = f"{factor * limit.allowable:.4g} {unit}"
-        rows.append((name, allowable, *[allowance] * shown, _between(between)))
+        rows.append((name, allowable, *[allowance] * allowance_column, _between(between)))
     return aligned(rows)
 
 

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from riserstudy.dataset.table import Table
     from riserstudy.scene.resolve import Resolved
 
-WORTH_TELLING = 10.0  # estimated time of a run (s) from which on it is announced
+NOTEWORTHY = 10.0  # estimated time of a run (s) from which on it is announced
 WORTH_A_RECIPE = 60.0  # estimated time of a run (s) from which on a cheaper run is proposed
 
 SceneArgument = Annotated[Path, typer.Argument(help="scene file (YAML)", metavar="SCENE.yaml")]
@@ -280,7 +280,7 @@ def announce(file: Any) -> None:
         notify(f"warning: {warning}")
     with progress_line(True) as show_progress:
         price = forecast(file.resolved(), Watch(notify=show_progress))
-    if price and price.seconds > WORTH_TELLING:
+    if price and price.seconds > NOTEWORTHY:
         notify(
             f"takes about {duration(price.seconds)}: by its first {price.piece:.4g} s, "
             f"{price.elements} segments and a step of {price.step:.3g} s are enough"

@@ -10,7 +10,7 @@ from riserstudy.scene.geometry import length_of
 if TYPE_CHECKING:
     from riserstudy.scene.resolve import Resolved
 
-BESIDE = 1e-3  # offset without a warning, as a share of the riser's length
+SMALL_OFFSET = 1e-3  # offset without a warning, as a share of the riser's length
 LEVERS = {"pitch": "up or down", "yaw": "aside"}  # where a turn moves a top that is beside the centre in x
 
 
@@ -21,7 +21,12 @@ def centre_above_the_well(scene: Resolved) -> list[str]:
     """
     platform, offset = scene.platform, scene.top.offset or 0.0
     about = platform.centre_of_rotation if platform else None
-    if platform is None or about is None or about.x is not None or abs(offset) <= BESIDE * length_of(scene):
+    if (
+        platform is None
+        or about is None
+        or about.x is not None
+        or abs(offset) <= SMALL_OFFSET * length_of(scene)
+    ):
         return []
     given = platform.response.moving if platform.response else []
     turns = [t for t in LEVERS if getattr(platform, t) or getattr(platform.position, t, None) or t in given]

@@ -42,9 +42,9 @@ class Geometry:
         """Return the remark of a part in brackets, which follows its label; empty without a remark."""
         return f" ({self.remarks[path]})" if path in self.remarks else ""
 
-    def assumes(self, path: str, besides: str = "") -> bool:
-        """Return whether the value at a path, a part of it (except ``besides``) or its parent is assumed."""
-        return _any_at(self.assumed - {besides}, path)
+    def assumes(self, path: str, excluded: str = "") -> bool:
+        """Return whether the value at a path, a part of it (except ``excluded``) or its parent is assumed."""
+        return _any_at(self.assumed - {excluded}, path)
 
     def mark(self, *paths: str) -> str:
         """Return the mark of a value from the given paths: assumed, calibrated, or none."""

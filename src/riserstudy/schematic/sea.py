@@ -105,7 +105,7 @@ def current(view: View, geometry: Geometry) -> None:
     drawn = [(x, level) for x, level in zip(ends, levels, strict=True) if abs(x - foot) > 0.01 * width]
     for tip in drawn:
         view.arrow((foot, tip[1]), tip, WATER)
-    assumed = geometry.assumes("current.profile", besides=SURFACE_SPEED)
+    assumed = geometry.assumes("current.profile", excluded=SURFACE_SPEED)
     profile = " (profile assumed)" if assumed else ""
     # a profile that is assumed as a whole may have a given speed
     mark = geometry.mark(SURFACE_SPEED) if SURFACE_SPEED in geometry.assumed else ""

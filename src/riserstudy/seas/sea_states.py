@@ -27,12 +27,12 @@ class SeaStates(NamedTuple):
     # (rows,) index of the sea state; -1 for rows without height or period, or not selected
     state_of_row: NDArray[np.int64]
 
-    def among(self, rows: NDArray[np.bool_], besides: Sequence[int] = ()) -> SeaStates:
+    def among(self, rows: NDArray[np.bool_], others: Sequence[int] = ()) -> SeaStates:
         """The sea states of some rows of the record, (rows,), and others by their indices, without rows."""
         of = np.where(rows, self.state_of_row, -1)
         counts = np.bincount(of[of >= 0], minlength=len(self.states))
         there = counts > 0
-        there[list(besides)] = True
+        there[list(others)] = True
         number = np.where(there, np.cumsum(there) - 1, -1)
         return SeaStates(self.states[there], counts[there], np.where(of >= 0, number[of], -1))
 
