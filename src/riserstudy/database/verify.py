@@ -32,8 +32,8 @@ def verify(database: Path) -> Verified:
     """
     with connect(database) as db:
         db.set_authorizer(None)  # the authorizer would refuse the next statement
-        wrong = [f"{database}: {fault}" for (fault,) in db.execute("pragma integrity_check")]
-        wrong = [line for line in wrong if not line.endswith(": ok")]
+        faults = [fault for (fault,) in db.execute("pragma integrity_check") if fault != "ok"]
+        wrong = [f"{database}: {fault}" for fault in faults]
         wrong += [f"{database}: {row}" for row in db.execute("pragma foreign_key_check")]
         recorded = ask(db, "select path, sha256 from files").rows
         files = {str(path): str(digest) for path, digest in recorded}
