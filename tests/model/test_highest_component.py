@@ -13,9 +13,9 @@ from riserstudy.scene.sea import Storm
 THEORY = Path(__file__).parents[2] / "docs" / "theory.md"
 COUNTS = (20, 100, 400)
 SAID = (
-    r"highest frequency of a simulated sea is (\S+) times the peak frequency with 20 components, (\S+) times "
-    r"with 100 components, and (\S+) times with 400 components\. .* of a simulated sea is (\S+) % too long "
-    r"with 20 components, (\S+) % with 100 components, and (\S+) % with 400 components"
+    r"this frequency is (\S+) times the peak frequency with 20 components, (\S+) times with 100 components, "
+    r"and (\S+) times with 400 components\. .* The sea's period is (\S+) % too long with 20 components, "
+    r"(\S+) % with 100 components, and (\S+) % with 400 components"
 )
 
 
