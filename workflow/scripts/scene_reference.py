@@ -26,17 +26,16 @@ simulates only what the scene contains**, and no value has a default that change
 `riserstudy effects SCENE.yaml` lists the effects (physical mechanisms) of a scene file, and the line of the
 file that includes each effect.
 
-In a scene file, write each value with the unit of its source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`.
-The engine (simulation program) converts all values of a scene file to SI units. The section [Units](#units)
-lists the unit names that a scene file can contain. The engine refuses a scene value without a unit if a unit
-is required. In a scene file, a rotational stiffness must have `/deg` or `/rad` in its unit, and a pressure
-`absolute` or `gauge` after its unit. In a scene file, `t` (tonne) is a unit of mass; for a force, write
-`tf`. The elevations in a scene file increase upwards from one datum of your choice. Arclengths along the
-riser start at its lower end.
+Write each value with the unit of its source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`. The engine
+(simulation program) converts all values to SI units. The section [Units](#units) lists the unit names. The
+engine refuses a value without a unit if a unit is required. A rotational stiffness must have `/deg` or `/rad`
+in its unit, and a pressure `absolute` or `gauge` after its unit. The unit `t` (tonne) is a unit of mass; for
+a force, write `tf`. Elevations increase upwards from one datum of your choice. Arclengths along the riser
+start at its lower end.
 
-Every value of a scene has an origin, which states where the value comes from. A scene value without a stated
-origin is *published* if the scene has the key `paper`, and *given* otherwise. Any other origin is written
-together with the value, as in these examples of scene values:
+Every value of a scene has an origin, which states where the value comes from. A value without a stated origin
+is *published* if the scene has the key `paper`, and *given* otherwise. Any other origin is written together
+with the value, as in these examples:
 
 ```yaml
 count: {assumed: 6, options: [6, 7], because: "six make the pull that the paper states"}
@@ -46,16 +45,16 @@ added_mass: {derived: 1198 kg/m, from: "Ca rho pi D^2/4"}
 interval: {chosen: 0.1 s, because: "output interval of the run"}
 ```
 
-An *assumed* value of a scene is not known; a `range` or `options` can give other possible values. A study (a
-set of simulations) can vary all *assumed* values with a `range` or `options` together. A *calibrated* value
-of a scene was fitted to a published number. A *derived* value of a scene was computed from other values. A
-*chosen* value of a scene does not describe the riser; examples are the datum of elevations and the output
-interval. The list `inputs` of a file in `config/published` contains the values that a paper prints. In the
-scene of a paper, every value without a stated origin must be in the paper's list `inputs`.
+An *assumed* value is not known; a `range` or `options` can give other possible values. A study (a set of
+simulations) can vary all *assumed* values with a `range` or `options` together. A *calibrated* value was
+fitted to a published number. A *derived* value was computed from other values. A *chosen* value does not
+describe the riser; examples are the datum of elevations and the output interval. The list `inputs` of a file
+in `config/published` contains the values that a paper prints. In the scene of this paper, every value without
+a stated origin must be in the list.
 
-You can give a table of scene values as a CSV file next to the scene file, for example `profile: {file:
-current.csv}`. The first line of a CSV file for a scene gives the names of the columns with their units, in
-any order. The following keys of a scene accept a CSV file:
+You can give a table as a CSV file next to the scene file, for example `profile: {file: current.csv}`. The
+first line of the CSV file gives the names of the columns with their units, in any order. The following keys
+accept a CSV file with these columns:
 
 %s
 
@@ -63,9 +62,9 @@ In the table of response amplitude operators (`operators`), each motion can have
 phase, for example `heave_phase`.
 
 Editors that support JSON schema can complete and check scene files. The command `riserstudy schema` prints
-the JSON schema of scene files, [`scene.schema.json`](../workflow/schemas/scene.schema.json). To use the JSON
-schema of scene files in an editor, write the following comment in the first line of a scene file. The path
-of the schema in this comment is relative to the folder of the scene file:
+the schema, [`scene.schema.json`](../workflow/schemas/scene.schema.json). To use it, write the following
+comment in the first line of a scene file. The path in this comment is relative to the folder of the scene
+file:
 
 ```yaml
 # yaml-language-server: $schema=../../../workflow/schemas/scene.schema.json
@@ -79,7 +78,7 @@ def scene_reference() -> str:
     for place in PLACES:
         columns = ", ".join(" or ".join(f"`{n}`" for n in names) for names in place.columns)
         more = f", and optionally {_named(place.optional)}" if place.optional else ""
-        tables.append(f"- `{'.'.join((*place.way, place.name))}` accepts the columns {columns}{more}")
+        tables.append(f"- `{'.'.join((*place.way, place.name))}`: {columns}{more}")
     parts = [HEAD % "\n".join(tables), units()]
     for model in models():
         parts.append(f"## {title(model)}\n\n{_prose(model)}\n")
@@ -96,12 +95,11 @@ def _named(columns: tuple[str, ...]) -> str:
 UNITS = """\
 ## Units
 
-A unit in a scene file is a product or a quotient of names, with powers: `kN*m/deg`, `lb/ft`, `m^2`. The
-following table lists the usual names of units by SI unit. A scene file can also contain other unit names of
-the Python library pint. A pressure in a scene file requires the word `absolute` or `gauge` after its unit;
-moduli and stresses do not. The unit `t` is a tonne, `short_ton` is 2000 lb, and `gal` is a US gallon. The
-unit `bbl` (barrel) is 42 US gallons. The unit `lb` is a mass; `lbf`, `kip` and `tf` are forces. The engine
-refuses the unit `ton`, because it can mean 1000 kg, 2000 lb or 2240 lb.
+A unit is a product or a quotient of names, with powers: `kN*m/deg`, `lb/ft`, `m^2`. The following table lists
+the usual names by SI unit. A scene can also contain other unit names of the Python library pint. A pressure
+requires the word `absolute` or `gauge` after its unit; moduli and stresses do not. The unit `t` is a tonne,
+`short_ton` is 2000 lb, and `gal` is a US gallon. A barrel (`bbl`) is 42 US gallons. The unit `lb` is a mass;
+`lbf`, `kip` and `tf` are forces. The engine refuses `ton`, because it can mean 1000 kg, 2000 lb or 2240 lb.
 
 | SI unit | names |
 |---|---|

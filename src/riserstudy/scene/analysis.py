@@ -33,8 +33,8 @@ class Mesh(Strict):
 
     The segments of a mesh have equal lengths within each riser section.
 
-    With the mesh key ``layers``, the number of segments is approximate, and segments become shorter towards
-    a riser end that has a layer.
+    With ``layers``, the number of segments is approximate, and segments become shorter towards a riser end
+    that has a layer.
     """
 
     elements: Annotated[int, Field(ge=1, le=20000), WHOLE]
@@ -44,8 +44,8 @@ class Mesh(Strict):
 class GeneralisedAlpha(Strict):
     """Implicit time integration (generalised-alpha) with the spectral radius rho_inf at high frequency.
 
-    If ``rho_inf`` is 1, the generalised-alpha method itself dissipates no energy. With a smaller
-    ``rho_inf``, the generalised-alpha method damps motion that the time step does not resolve.
+    If ``rho_inf`` is 1, the method itself dissipates no energy. With a smaller value, the method damps motion
+    that the time step does not resolve.
     """
 
     rho_inf: Annotated[float, Field(ge=0, le=1)]
@@ -61,9 +61,9 @@ class Newmark(Strict):
 class Output(Strict):
     """Times and places of time histories, by default from the start of the run and at all nodes.
 
-    The engine evaluates extremes and limits from the output time ``start`` on. The key ``stations`` lists
-    the arclengths of the riser at which time histories are stored. The key ``stress_in`` names a riser
-    section: the time histories then include the largest stress at its outer fibre.
+    The engine evaluates extremes and limits from the time ``start`` on. The key ``stations`` lists the
+    arclengths at which time histories are stored. The key ``stress_in`` names a section: the time histories
+    then include the largest stress at its outer fibre.
     """
 
     interval: Annotated[u.Time, POSITIVE]
@@ -84,18 +84,17 @@ class Analysis(Strict):
     """Settings of the simulation.
 
     Without ``duration``, only the static equilibrium is computed, with the platform at its ``position`` and
-    the current at its full speed. For a scene without ``duration``, a warning lists the parts of the scene
-    that have no effect, such as motions, waves and thrusters. By default, a simulation starts from the
-    static equilibrium. With ``start: undeflected``, a simulation starts from the equilibrium without
-    current. With ``start: unstretched``, a simulation starts from the shape of the equilibrium, but with
-    unstretched segments. If mesh and time step are not given, the engine chooses them so that the tolerance
-    ``accuracy`` is met. The default tolerance of a simulation is 0.2 % of displacement and 1 % of moment.
-    The default method of time integration is generalised-alpha with a spectral radius of 0.8. In a scene
-    with a sudden event (a disconnect, a tension loss without ``over``, or ``failing`` cylinders), the
-    default method is ESDIRK4. The default solver uses lumped masses; ``solver: hermite`` uses beam elements
-    for small slopes. Newton's iteration ends when the correction of positions is smaller than
-    ``newton_tolerance`` times the length of the riser. The default of ``newton_tolerance`` is 1e-9. A
-    ``newton_tolerance`` below 1e-9 also reduces the limit for corrections of moments, by the same factor.
+    the current at its full speed. A warning then lists the parts of the scene that have no effect, such as
+    motions, waves and thrusters. By default, the simulation starts from the static equilibrium. With ``start:
+    undeflected``, it starts from the equilibrium without current. With ``start: unstretched``, it starts from
+    the shape of the equilibrium, but with unstretched segments. If mesh and time step are not given, the
+    engine chooses them so that the tolerance ``accuracy`` is met. The default tolerance is 0.2 % of
+    displacement and 1 % of moment. The default method of time integration is generalised-alpha with a
+    spectral radius of 0.8. In a scene with a sudden event (a disconnect, a tension loss without ``over``, or
+    ``failing`` cylinders), the default method is ESDIRK4. The default solver uses lumped masses; ``solver:
+    hermite`` uses beam elements for small slopes. Newton's iteration ends when the correction of positions is
+    smaller than ``newton_tolerance`` times the length of the riser. The default of ``newton_tolerance`` is
+    1e-9. A smaller value also reduces the limit for corrections of moments, by the same factor.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None

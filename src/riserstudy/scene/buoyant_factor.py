@@ -19,14 +19,12 @@ class Buoyancy(Strict):
     """Foam blocks around the riser, from which submerged weights and top tension are computed.
 
     The ``factor`` b of the foam blocks and the ``tension_ratio`` e can be interpreted in three ways. The key
-    ``reading`` of ``buoyancy`` selects one of the interpretations R1, R2 or R3 of ``factor`` and
-    ``tension_ratio``. The interpretations R1, R2 and R3 of ``buoyancy`` differ in the effective tension at a
-    distance h below the top. In the formulas R1 to R3, w is the weight in air of riser and contents per
-    length, and L the length of the riser. In interpretation R1, the effective tension is (1 - b) w (e L -
-    h), and the foam blocks carry the fraction b of the weight. In interpretation R2, the effective tension
-    is b w (e L - h), and the foam blocks carry the fraction 1 - b of the weight. In interpretation R3, the
-    effective tension is w (e L - b h), and the foam blocks also carry the fraction 1 - b of the weight. In a
-    scene with ``buoyancy``, the top tension also carries the weight of a body at the top.
+    ``reading`` selects one of the interpretations R1, R2 or R3. They differ in the effective tension at a
+    distance h below the top. In the formulas, w is the weight in air of riser and contents per length, and L
+    the length of the riser. In R1, the tension is (1 - b) w (e L - h), and the blocks carry the fraction b of
+    the weight. In R2, the tension is b w (e L - h), and the blocks carry the fraction 1 - b. In R3, the
+    tension is w (e L - b h), and the blocks also carry the fraction 1 - b. The top tension also carries the
+    weight of a body at the top.
     """
 
     factor: Annotated[float, Field(ge=0, le=1)]

@@ -28,9 +28,9 @@ def too_late(times: Mapping[str, float], duration: float, *also: str) -> Iterato
 class Valve(Strict):
     """Tensioner valves that change a constant ``top.tension`` after the release of the lower end.
 
-    With ``valve``, the top tension after a disconnect decreases smoothly to ``hold`` times the suspended
-    submerged weight. The key ``failed`` of ``valve`` is the fraction of the top tension that remains because
-    the valves of some tensioners do not move.
+    After a disconnect, the top tension decreases smoothly to ``hold`` times the suspended submerged weight.
+    The key ``failed`` is the fraction of the tension that remains because the valves of some tensioners do
+    not move.
     """
 
     hold: Annotated[float, Field(gt=0.0)]
@@ -48,12 +48,11 @@ class Isolation(Strict):
 class RecoilValve(Strict):
     """A recoil valve in the oil between each cylinder and its gas, which closes after a disconnect.
 
-    The ``opening`` of a recoil valve is the area of the open valve. An open recoil valve throttles the oil
-    even before the disconnect. The ``discharge`` of a recoil valve is its discharge coefficient. At the time
-    ``delay`` after the disconnect, the recoil valve starts to close. Within the time ``over``, the recoil
-    valve closes smoothly to the fraction ``residual`` of its opening. The recoil valves of ``failed``
-    cylinders, counted from 0, stay open. By default, the ``delay`` of a recoil valve is 0 s. Without
-    ``isolation``, no gas bottles are shut off.
+    The ``opening`` is the area of the open valve. The open valve throttles the oil even before the
+    disconnect. The ``discharge`` is the discharge coefficient. At the time ``delay`` after the disconnect,
+    the valve starts to close. Within the time ``over``, it closes smoothly to the fraction ``residual`` of
+    its opening. The valves of ``failed`` cylinders, counted from 0, stay open. By default, ``delay`` is 0 s.
+    Without ``isolation``, no gas bottles are shut off.
     """
 
     oil_density: Annotated[u.Density, POSITIVE]
@@ -69,8 +68,8 @@ class RecoilValve(Strict):
 class Drain(Strict):
     """Contents that drain after a disconnect, as one column between the air above and the sea below.
 
-    For draining contents, ``friction`` is the Darcy friction factor of the riser wall. For draining
-    contents, ``losses`` is the pressure loss at the ends of the column in velocity heads, by default zero.
+    The ``friction`` is the Darcy friction factor of the riser wall. The ``losses`` are the pressure loss at
+    the ends of the column in velocity heads, by default zero.
     """
 
     friction: Annotated[float, NOT_NEGATIVE]
@@ -86,15 +85,14 @@ class Stack(Strict):
 class Disconnect(Strict):
     """At a time of the run, the wellhead releases the lower end of the riser with the body at this end.
 
-    With ``phase``, the disconnect is delayed until the platform's heave has this phase. The phase of the
-    heave is 0 when the heave rises through its mean, and 90 deg at its maximum. For a disconnect at a
-    ``phase``, the heave must be a single harmonic. The key ``over`` of a disconnect is the time over which
-    the force of the connector decreases to zero. By default, a disconnect is sudden. A sudden disconnect
-    sends steep fronts of tension waves along an undamped riser. A constant top tension remains unchanged
-    after a disconnect, unless ``valve`` is given. The tensioners act as before the disconnect, unless
-    ``recoil_valve`` is given. By default, the contents stay in the riser after a disconnect. With ``drain``,
-    the contents of the riser flow out after a disconnect. Without ``stack`` the LMRP does not re-contact the
-    BOP stack but can move through it, with a warning.
+    With ``phase``, the disconnect is delayed until the platform's heave has this phase. The phase is 0 when
+    the heave rises through its mean, and 90 deg at its maximum. With this key, the heave must be a single
+    harmonic. The key ``over`` is the time over which the force of the connector decreases to zero. By
+    default, the disconnect is sudden. A sudden disconnect sends steep fronts of tension waves along an
+    undamped riser. A constant top tension remains unchanged after the disconnect, unless ``valve`` is given.
+    The tensioners act as before the disconnect, unless ``recoil_valve`` is given. By default, the contents
+    stay in the riser. With ``drain``, they flow out. Without ``stack``, the LMRP does not re-contact the BOP
+    stack but can move through it, with a warning.
     """
 
     at: Annotated[u.Time, POSITIVE]

@@ -39,19 +39,18 @@ class BodyAddedMass(Strict):
 class Body(Strict):
     """A concentrated mass, such as an LMRP or a tension ring.
 
-    Give the submerged weight of a body, or give its displaced volume or the density of its material. From
-    the volume or density of a body, the engine computes the submerged weight with the mass and gravity. A
-    body with a given volume or density has its weight in air if it is at or above the water surface. To
-    compare a body with the water surface, the engine uses the elevation of the end of the unstretched riser.
-    Weight, drag and added mass of a body are zero if they are not given. In waves, the acceleration of the
-    water causes a force on the displaced volume of a body and on its added mass. If the displaced volume of
-    a body is not given, the engine computes this volume from mass and ``submerged_weight``. Without
-    ``centre_below``, a body is a point at the riser's end. The key ``centre_below`` is the distance from the
-    riser's lower end down to the centre of a body. With ``centre_below``, a body turns rigidly with the
-    riser's lower end. The ``rotary_inertia`` of a body, by default zero, refers to axes across the riser
-    through the body's centre. With ``centre_below``, the arclengths in results start below the riser, at the
-    body's centre of percussion. The arclengths of ``stations`` in ``analysis.output`` still start at the
-    riser's lower end.
+    Give the submerged weight of the body, or give its displaced volume or the density of its material. From
+    volume or density, the engine computes the submerged weight with the mass and gravity. A body at or above
+    the water surface then has its weight in air. To compare the body with the water surface, the engine uses
+    the elevation of the end of the unstretched riser. Weight, drag and added mass are zero if they are not
+    given. In waves, the acceleration of the water causes a force on the displaced volume and on the added
+    mass. If the displaced volume is not given, the engine computes it from mass and ``submerged_weight``.
+    Without ``centre_below``, the body is a point at the riser's end. The key ``centre_below`` is the distance
+    from the riser's lower end down to the centre of the body. With this key, the body turns rigidly with the
+    riser's lower end. The ``rotary_inertia``, by default zero, refers to axes across the riser through the
+    body's centre. With ``centre_below``, the arclengths in results start below the riser, at the body's
+    centre of percussion. The arclengths of ``stations`` in ``analysis.output`` still start at the riser's
+    lower end.
     """
 
     name: str
@@ -155,11 +154,10 @@ class Bottom(Strict):
 class JointStop(Strict):
     """Stops of a telescopic joint: its largest extension and compression, and the stiffness of the stops.
 
-    The extension and compression at the stops are measured like the stroke of the telescopic joint. The
-    ``stroke`` of the stops is the largest extension of a telescopic joint. The ``collapse`` is the largest
-    compression of a telescopic joint, at which the barrels meet and push. Without the key ``stroke``, a
-    telescopic joint has no stop in extension; without ``collapse``, it has no stop in compression. Both
-    stops of a telescopic joint are elastic, without energy loss.
+    Extension and compression are measured like the stroke of the joint. The ``stroke`` is the largest
+    extension. The ``collapse`` is the largest compression, at which the barrels meet and push. Without the
+    key ``stroke``, the joint has no stop in extension; without ``collapse``, it has no stop in compression.
+    Both stops are elastic, without energy loss.
     """
 
     stroke: Annotated[u.Length, POSITIVE] | None = None
@@ -180,19 +178,18 @@ class JointStop(Strict):
 class TelescopicJoint(Strict):
     """Telescopic joint above the tension ring, which slides without force, and carries shear and bending.
 
-    Water exerts no forces on the telescopic joint. A warning appears if more than half of a telescopic joint
-    is below the water surface. The ``length`` of a telescopic joint is the distance from the tension ring to
-    the upper end of the joint with the platform at rest. The outer and the inner barrel of a telescopic
-    joint bend together, as one beam. The key ``tension`` of a telescopic joint is an additional constant
-    pull of tensioners along the joint. Without the key ``stop``, a telescopic joint has no end stops.
-    Without stops, a warning appears if a telescopic joint becomes shorter than half of ``length`` or longer
-    than twice ``length``, as no real joint can. Include the mass of the outer barrel in ``top.body`` at the
-    tension ring; the inner barrel moves with the platform. The stops of a telescopic joint (``stop``) and
-    the stops of the tensioners (``tensioners.stroke``) are separate: a rig can have both.
+    Water exerts no forces on the telescopic joint. A warning appears if more than half of the joint is below
+    the water surface. The ``length`` is the distance from the tension ring to the upper end of the joint with
+    the platform at rest. The outer and the inner barrel bend together, as one beam. The key ``tension`` is an
+    additional constant pull of tensioners along the joint. Without the key ``stop``, the joint has no end
+    stops. A warning then appears if the joint becomes shorter than half of ``length`` or longer than twice
+    ``length``, as no real joint can. Include the mass of the outer barrel in ``top.body`` at the tension
+    ring; the inner barrel moves with the platform. The stops of the joint (``stop``) and the stops of the
+    tensioners (``tensioners.stroke``) are separate: a rig can have both.
 
-    By default, the stroke of a telescopic joint and the positions of its stops are measured from its
-    ``length``. With ``mid_stroke: riser in equilibrium``, the joint's stroke is zero when the tensioners
-    carry the riser, vertical and in still water.
+    By default, the stroke of the joint and the positions of its stops are measured from ``length``. With
+    ``mid_stroke: riser in equilibrium``, the stroke is zero when the tensioners carry the riser, vertical and
+    in still water.
     """
 
     length: Annotated[u.Length, POSITIVE]
@@ -233,25 +230,24 @@ class TensionLoss(Strict):
 class Top(Strict):
     """Upper end of the riser.
 
-    For the riser's top, ``x`` (for x and y) and ``z`` state whether the top follows the platform, is held,
-    or is free.
+    The keys ``x`` (for x and y) and ``z`` state whether the riser's top follows the platform, is held, or is
+    free.
 
-    With ``x: vessel``, the riser's top moves with a vessel whose motion is computed, in the directions in
-    which the vessel is free. If a scene with ``x: vessel`` has a ``platform``, the engine adds its
-    horizontal first-order (wave-frequency) motions to the motion of the vessel. With ``z: platform``, the
-    riser's top also follows the vertical first-order (wave-frequency) motions. The deck of the tensioners is
-    always vertically above the riser's top, so an ``offset`` moves the top and the deck.
+    With ``x: vessel``, the top moves with a vessel whose motion is computed, in the directions in which the
+    vessel is free. If the scene also has a ``platform``, the engine adds its horizontal first-order
+    (wave-frequency) motions to the motion of the vessel. With ``z: platform``, the top also follows the
+    vertical first-order motions. The deck of the tensioners is always vertically above the riser's top, so an
+    ``offset`` moves the top and the deck.
 
-    Without ``offset``, the riser's top is vertically above its bottom. Without ``elevation``, the riser's
-    top has the height of the static equilibrium. At the riser's top, tension, tension loss, force,
-    tensioners and body are absent if they are not given. With ``held_at_tension``, the engine computes the
-    height at which the riser's top is held. At the computed height, the vertical component of the pull on
-    the static riser equals the given force ``held_at_tension``. If there is a body at the riser's top, the
-    pull just below the body equals the force ``held_at_tension``. To compute the height for
-    ``held_at_tension``, the platform is in its position in calm water, and the current has its full speed.
-    If the top's ``x`` follows the platform, a flex joint or clamp at the top rotates with the platform. With
-    a telescopic joint, the riser's top is the upper end of the joint. With a telescopic joint, ``tension``,
-    ``tensioners``, ``lateral_force`` and ``body`` are at the tension ring, below the joint.
+    Without ``offset``, the top is vertically above the riser's bottom. Without ``elevation``, it has the
+    height of the static equilibrium. Tension, tension loss, force, tensioners and body are absent if they are
+    not given. With ``held_at_tension``, the engine computes the height at which the top is held. At this
+    height, the vertical component of the pull on the static riser equals the given force. If there is a body
+    at the top, the pull just below the body equals this force. For this computation, the platform is in its
+    position in calm water, and the current has its full speed. If ``x`` follows the platform, a flex joint or
+    clamp at the top rotates with the platform. With a telescopic joint, the top is the upper end of the
+    joint. Then ``tension``, ``tensioners``, ``lateral_force`` and ``body`` are at the tension ring, below the
+    joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

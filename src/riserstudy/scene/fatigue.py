@@ -48,7 +48,7 @@ class Slope(Strict):
 class OwnCurve(Strict):
     """Your own S-N curve, with one or two slopes; beyond their crossing, the flatter slope applies.
 
-    Above the reference thickness, an S-N curve multiplies the stress range by (thickness /
+    Above the reference thickness, the stress range is multiplied by (thickness /
     reference_thickness)^thickness_exponent.
     """
 
@@ -81,9 +81,9 @@ class OwnCurve(Strict):
 class StandardCurve(Strict):
     """An S-N curve of DNV-RP-C203, selected by its class (B1 to W3) and its environment.
 
-    The file ``scene/sn_curves.yaml`` of the package contains the numbers of the S-N curves and their source.
-    Editions of DNV-RP-C203 differ, so compare the S-N curves with the edition that you must use. If the S-N
-    curves differ from your edition of DNV-RP-C203, give your own curve (``OwnCurve``).
+    The file ``scene/sn_curves.yaml`` of the package contains the numbers and their source. Editions of
+    DNV-RP-C203 differ, so compare the curves with the edition that you must use. If they differ from your
+    edition, give your own curve (``OwnCurve``).
     """
 
     detail_class: str
@@ -113,16 +113,15 @@ class StandardCurve(Strict):
 class Detail(Strict):
     """A detail whose fatigue damage is computed: welds of the wall, a connector, a weld of the wellhead.
 
-    The key ``at`` of a fatigue detail gives the sections of the riser with this detail, named as in
-    ``limits``. By default, all riser sections have the fatigue detail. The key ``face`` of a fatigue detail
-    selects the inner or outer face of the wall. The stress by wall tension and bending is computed at the
-    ``face`` of the fatigue detail. For a fatigue detail at one end of a section, give ``stress_per_moment``
-    instead of ``face``. The value of ``stress_per_moment`` is the stress in the fatigue detail divided by
-    the bending moment at this end. For example, ``stress_per_moment: 0.02 MPa/kN/m`` means 0.02 MPa for each
-    kN m. For a fatigue detail with ``stress_per_moment``, the stress by tension is neglected. For a fatigue
-    detail, the engine multiplies the computed nominal stress by ``stress_concentration``. The default
-    thickness of a fatigue detail is the wall thickness of the section; with ``stress_per_moment``, you must
-    give the thickness. The factored fatigue damage is the damage times ``safety_factor``.
+    The key ``at`` gives the sections of the riser with this detail, named as in ``limits``. By default, all
+    sections have the detail. The key ``face`` selects the inner or outer face of the wall. The stress by wall
+    tension and bending is computed at this face. For a detail at one end of a section, give
+    ``stress_per_moment`` instead of ``face``. This is the stress in the detail divided by the bending moment
+    at this end. For example, ``stress_per_moment: 0.02 MPa/kN/m`` means 0.02 MPa for each kN m. With
+    ``stress_per_moment``, the stress by tension is neglected. The engine multiplies the computed nominal
+    stress by ``stress_concentration``. The default thickness is the wall thickness of the section; with
+    ``stress_per_moment``, you must give the thickness. The factored damage is the damage times
+    ``safety_factor``.
     """
 
     name: Annotated[str, Field(min_length=1)]
@@ -156,10 +155,9 @@ class Detail(Strict):
 class Fatigue(Strict):
     """Fatigue damage of details, by rainflow counting of stress and S-N curves (Palmgren and Miner).
 
-    The key ``angles`` of ``fatigue`` is the number of places around the wall for which the engine computes
-    damage. The first place around the wall at which fatigue damage is computed is on the side of +x. Between
-    two places around the wall, the damage can be larger than at both places. For fatigue, this factor is at
-    most cos(pi / angles)^-m, with the exponent m of the S-N curve.
+    The key ``angles`` is the number of places around the wall for which the engine computes damage. The first
+    place is on the side of +x. Between two places, the damage can be larger than at both places, by a factor
+    of at most cos(pi / angles)^-m. The number m is the exponent of the S-N curve.
     """
 
     angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]

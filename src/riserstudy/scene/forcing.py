@@ -58,8 +58,8 @@ class Tilt(Harmonic):
 class Cruise(Strict):
     """Cruise of the platform at a constant speed, by default along x.
 
-    Over the time ``ramp``, the speed of a cruising platform increases linearly from zero. Without ``ramp``,
-    a cruising platform has its full speed from the start.
+    Over the time ``ramp``, the speed increases linearly from zero. Without ``ramp``, the platform has its
+    full speed from the start.
     """
 
     speed: u.Speed
@@ -131,9 +131,9 @@ class Position(Strict):
 class Centre(Strict):
     """Position of the platform's centre of rotation with the platform at rest.
 
-    Without x and y, the platform's centre of rotation is vertically above the well, even if the riser's top
-    has an `offset`. If the platform has an offset, the x of its centre of rotation is therefore usually
-    equal to the offset. A `position` of the platform moves its centre of rotation, too.
+    Without x and y, the centre is vertically above the well, even if the riser's top has an `offset`. If the
+    platform has an offset, x is therefore usually equal to this offset. A `position` of the platform moves
+    the centre, too.
     """
 
     x: u.Length | None = None
@@ -150,9 +150,9 @@ Turn = Tilt | Annotated[list[Tilt], Field(min_length=1)] | TimeSeries[Tilted]
 class Platform(Strict):
     """Prescribed platform motion: harmonic, a sum of harmonics, or a time series.
 
-    A platform motion that is not given is zero. By default, a harmonic motion has the phase 0 and no ramp.
-    The platform's roll is a rotation about x, pitch about y, and yaw about z. With a positive pitch, the
-    platform's vertical leans towards +x.
+    A motion that is not given is zero. By default, a harmonic motion has the phase 0 and no ramp. Roll is a
+    rotation about x, pitch about y, and yaw about z. With a positive pitch, the platform's vertical leans
+    towards +x.
 
     In a scene with a ``vessel``, the motions of the ``platform`` are the first-order (wave-frequency) motions
     of the vessel, and the centre of rotation drifts with the vessel. Phases of response amplitude operators
@@ -161,8 +161,8 @@ class Platform(Strict):
     scene. With a ``vessel``, the engine refuses the key ``cruise``, and surge or sway in ``position``; give
     the initial position of the vessel by ``top.offset`` instead.
 
-    Response amplitude operators (RAOs) in a scene refer to a hull along x. With RAOs, the engine therefore
-    refuses yaw in ``position``, and a ``vessel`` whose heading is not along x.
+    Response amplitude operators (RAOs) refer to a hull along x. With RAOs, the engine therefore refuses yaw
+    in ``position``, and a ``vessel`` whose heading is not along x.
     """
 
     position: Position | None = None
@@ -221,11 +221,10 @@ TURN = math.tau * (1.0 + 1e-9)  # rad, a full turn with room for rounding
 class Point(Strict):
     """One point of a current profile, at an elevation, or at a depth below the mean water level.
 
-    Two points of a current profile at the same elevation or depth define a jump of the speed. Profile points
-    given by elevation are listed upwards: the first of two points at a jump gives the speed just below the
-    jump. Profile points given by depth are listed downwards: the first of two points at a jump gives the
-    speed just above the jump. A point of a current profile without ``direction`` has the heading of the
-    current.
+    Two points at the same elevation or depth define a jump of the speed. Points given by elevation are listed
+    upwards: the first of the two points gives the speed just below the jump. Points given by depth are listed
+    downwards: the first point gives the speed just above the jump. A point without ``direction`` has the
+    heading of the current.
     """
 
     elevation: u.Length | None = None
@@ -252,11 +251,10 @@ def _within_a_turn(name: str, angle: float | None) -> None:
 class Shape(Strict):
     """A current profile by a formula, from the seabed to the surface, relative to ``surface_speed``.
 
-    With the current ``shape: power``, the relative speed is (height above the seabed / water depth)^power.
-    With the current ``shape: exponential``, the relative speed is exp(-depth below the surface / scale).
-    With the current ``shape: layer``, the speed is uniform down to the depth ``layer`` below the surface,
-    then decreases linearly to zero at the depth ``vanishes``. By default, a current profile by a formula
-    uses the elevations of seabed and surface that ``water`` gives.
+    With ``shape: power``, the relative speed is (height above the seabed / water depth)^power. With ``shape:
+    exponential``, the relative speed is exp(-depth below the surface / scale). With ``shape: layer``, the
+    speed is uniform down to the depth ``layer`` below the surface, then decreases linearly to zero at the
+    depth ``vanishes``. By default, seabed and surface have the elevations that ``water`` gives.
     """
 
     shape: Literal["uniform", "power", "exponential", "layer"]
@@ -297,15 +295,14 @@ class Combined(Strict):
 class Current(Strict):
     """Steady current in the sea.
 
-    By default, the current of a scene flows along x, and acts from the start of the run without a ramp.
+    By default, the current flows along x, and acts from the start of the run without a ramp.
 
-    For a current, ``headings`` states whether headings are directions that the current flows to
-    (``towards``, the default) or comes from (``from``). The key ``headings`` of a current also applies to
-    the ``direction`` of points of its profile. Give a ``direction`` at all points of a current profile, or
-    at no point. If the direction of the current varies, the engine interpolates the x and y components of
-    its velocity linearly between points. The key ``beyond`` of a current is required if its profile does not
-    cover the whole riser. Outside the elevations of a current profile, its end values apply (``beyond:
-    hold``), or the water is still (``beyond: zero``).
+    The key ``headings`` states whether headings are directions that the current flows to (``towards``, the
+    default) or comes from (``from``). It also applies to the ``direction`` of points of the profile. Give a
+    ``direction`` at all points of the profile, or at no point. If the direction varies, the engine
+    interpolates the x and y components of the velocity linearly between points. The key ``beyond`` is
+    required if the profile does not cover the whole riser. Outside the elevations of the profile, its end
+    values apply (``hold``), or the water is still (``zero``).
     """
 
     profile: Annotated[list[Point], Field(min_length=2)] | Shape | WindDrift | Combined

@@ -17,8 +17,8 @@ from riserstudy.scene.rules import check_rules
 class Scene(Parts):
     """The root of a scene file: a riser, its supports and its loads.
 
-    If a scene has the key ``paper``, values without a stated origin are *published* values. If a scene has
-    no key ``paper``, values without a stated origin are *given* values.
+    If a scene has the key ``paper``, values without a stated origin are *published* values. Otherwise, these
+    values are *given* values.
     """
 
     @model_validator(mode="after")

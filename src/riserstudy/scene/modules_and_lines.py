@@ -19,11 +19,11 @@ from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE
 class Modules(Strict):
     """Buoyancy modules of one riser joint.
 
-    The mass and lift of buoyancy modules are values for one joint of the riser section. In a riser section
-    without ``joints``, the mass and lift of buoyancy modules are values for the whole section.
+    Mass and lift are values for one joint of the section. In a section without ``joints``, they are values
+    for the whole section.
 
-    The ``lift`` of buoyancy modules is their net lift in water, after subtraction of their own weight. For
-    buoyancy modules above the water, the engine computes the weight as mass times gravity.
+    The ``lift`` is the net lift of the modules in water, after subtraction of their own weight. For modules
+    above the water, the engine computes the weight as mass times gravity.
     """
 
     mass: Annotated[u.Mass, POSITIVE]
@@ -33,13 +33,12 @@ class Modules(Strict):
 class Line(Strict):
     """Choke, kill, booster or hydraulic lines along the pipe: ``count`` equal lines, or one by default.
 
-    Give the mass of an auxiliary line, or ``wall_density``, from which the engine computes the mass. The
-    ``contents`` of a line are the density of the fluid inside, which moves with the line; without
-    ``contents`` the line is empty. Auxiliary lines with a modulus bend together with the pipe, each about
-    its own axis. With ``tension: shared``, pipe and auxiliary lines share the tension by their stiffnesses.
-    With ``tension: sliding``, the ends of the auxiliary lines slide along the pipe, and the lines carry no
-    tension. In reality, the pressure in an auxiliary line changes the tension of the pipe; the engine
-    neglects this change.
+    Give the mass, or ``wall_density``, from which the engine computes the mass. The ``contents`` are the
+    density of the fluid inside, which moves with the line; without ``contents`` the line is empty. Lines with
+    a modulus bend together with the pipe, each about its own axis. With ``tension: shared``, pipe and lines
+    share the tension by their stiffnesses. With ``tension: sliding``, the ends of the lines slide along the
+    pipe, and the lines carry no tension. In reality, the pressure in a line changes the tension of the pipe;
+    the engine neglects this change.
     """
 
     name: str

@@ -25,9 +25,9 @@ Tilt = Annotated[u.AnglePerLength, NOT_NEGATIVE] | None
 class Operator(Strict):
     """Response of the platform to waves of one period or frequency: motion per wave amplitude, and phase.
 
-    The frequencies of RAOs are in Hz or rad/s. A platform motion that is not given is zero. The wave heading
-    of RAOs is the direction of the waves, measured from x towards y. If RAOs have no headings, the response
-    is the same for waves from all directions.
+    Frequencies are in Hz or rad/s. A motion that is not given is zero. The heading is the direction of the
+    waves, measured from x towards y. Without headings, the response is the same for waves from all
+    directions.
     """
 
     heading: u.Angle | None = None
@@ -101,24 +101,22 @@ def _same(one: float | None, other: float | None) -> bool:
 class Response(Strict):
     """Platform motion from response amplitude operators (RAOs), which are a list of entries or a CSV table.
 
-    A table of RAOs is given as ``{file: name.csv}``. The key ``phases`` states whether the phases of the
-    RAOs are leads or lags, relative to a wave crest at the platform. The surface elevation at the platform
-    is a cos(w t - p), with the wave amplitude a, the angular frequency w and the phase p. If the key
-    ``wave`` of ``response`` gives the wave, the phase p in the surface elevation is the phase of the wave.
-    If the key ``wave`` of the scene gives the wave, p is the phase of the wave plus k x, with the wave
-    number k. In the phase p, x is the platform's position in the direction of the wave, including its offset
-    at rest and the distance covered by a cruise. The key ``headings`` states whether the headings of RAOs
-    are directions that waves travel to (``towards``) or come from (``from``). Between wave headings, RAOs
-    are interpolated linearly. The rows of a table of RAOs can be in any order. With ``symmetry``, the engine
-    mirrors the RAOs at a given wave heading to obtain the RAOs at a missing heading. With ``symmetry:
-    sides``, the RAOs are mirrored in the x-z plane. With ``symmetry: sides and ends``, the RAOs are mirrored
-    in the x-z plane and in the y-z plane. The key ``beyond`` defines the response to waves with periods
-    outside the range of the RAOs. With ``beyond: hold``, the end values of the RAOs apply outside their
-    range; with ``beyond: zero``, the platform does not respond there. By default (``beyond: refuse``), the
-    engine refuses waves with periods outside the range of the RAOs. A warning states the share of the wave
-    energy at periods outside the range of the RAOs. By default, the platform responds to the wave of the
-    scene, without a ramp, in all motions for which the table gives RAOs. A wave that is given in the key
-    ``response`` travels along x by default.
+    A table of RAOs is given as ``{file: name.csv}``. The key ``phases`` states whether the phases of the RAOs
+    are leads or lags, relative to a wave crest at the platform. The surface elevation at the platform is a
+    cos(w t - p), with the wave amplitude a, the angular frequency w and the phase p. If the key ``wave`` of
+    ``response`` gives the wave, p is the phase of this wave. If the key ``wave`` of the scene gives the wave,
+    p is the phase of the wave plus k x, with the wave number k. Here x is the platform's position in the
+    direction of the wave, including its offset at rest and the distance covered by a cruise. The key
+    ``headings`` states whether the headings of RAOs are directions that waves travel to (``towards``) or come
+    from (``from``). Between headings, RAOs are interpolated linearly. The rows of the table can be in any
+    order. With ``symmetry``, the engine mirrors the RAOs at a given heading to obtain the RAOs at a missing
+    heading. With ``symmetry: sides``, they are mirrored in the x-z plane. With ``symmetry: sides and ends``,
+    the y-z plane is a mirror, too. The key ``beyond`` defines the response to waves with periods outside the
+    range of the RAOs. With ``hold``, the end values of the RAOs apply there; with ``zero``, the platform does
+    not respond to these waves. By default (``refuse``), the engine refuses such waves. A warning states the
+    share of the wave energy outside the range. By default, the platform responds to the wave of the scene,
+    without a ramp, in all motions for which the table gives RAOs. A wave that is given in ``response``
+    travels along x by default.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]

@@ -32,10 +32,9 @@ class Drag(Strict):
     """Morison drag of the riser, across the pipe by default.
 
     With ``direction: horizontal``, only horizontal velocities cause drag, and the drag acts in x and y only.
-    The drag coefficient of a riser section is one number, or a table over elevation with linear
-    interpolation. The engine evaluates a table of drag coefficients at the present elevation of the moving,
-    stretched pipe. Above and below the elevations of a table of drag coefficients, the coefficient has the
-    value at the nearest end.
+    The drag coefficient is one number, or a table over elevation with linear interpolation. The engine
+    evaluates the table at the present elevation of the moving, stretched pipe. Above and below the elevations
+    of the table, the coefficient has the value at the nearest end.
     """
 
     coefficient: Coefficient | Annotated[list[CoefficientAt], Field(min_length=2)]
@@ -99,13 +98,12 @@ def _must_rise(frequencies: list[float]) -> None:
 class InLineExcitation(Strict):
     """Varying drag due to vortices, which synchronises with the velocity of the riser along the flow.
 
-    The amplitude of the varying drag of the vortices per length is C_x rho D / 2 times the squared flow
-    speed. The ``coefficient`` of ``in_line`` is C_x. The coefficient C_x of the varying drag is not known;
-    values of 0.1 to 1 are plausible assumptions. The key ``frequencies`` of ``in_line`` lists three
-    frequencies of the varying drag, as multiples of flow speed divided by diameter. The key ``frequencies``
-    lists these frequencies in the same order as for vibration across the flow. The vortex frequencies along
-    the flow are about twice the frequencies across the flow. The frequencies 0.22, 0.36 and 0.52 along the
-    flow are assumptions, each with a range of ±25 %.
+    The amplitude of the varying drag per length is C_x rho D / 2 times the squared flow speed. The
+    ``coefficient`` is C_x. Its value is not known; values of 0.1 to 1 are plausible assumptions. The key
+    ``frequencies`` lists three frequencies of the varying drag, as multiples of flow speed divided by
+    diameter. Their order is the same as for vibration across the flow. The frequencies along the flow are
+    about twice the frequencies across the flow. The values 0.22, 0.36 and 0.52 are assumptions, each with a
+    range of ±25 %.
     """
 
     coefficient: Annotated[float, POSITIVE]
@@ -120,22 +118,19 @@ class InLineExcitation(Strict):
 class VortexInducedVibration(Strict):
     """Vortex-induced vibration across the flow, by the synchronisation model of Thorsen and others (2014).
 
-    With ``viv``, a lift force of the vortices acts across the flow relative to the pipe. The amplitude of
-    the lift force per length is C_v rho D / 2 times the squared flow speed. The phase of the lift force of
-    the vortices synchronises with the velocity of the riser. A riser section with ``viv`` must also have
-    drag across the pipe, because drag limits the amplitude. The engine simulates a scene with ``viv`` in
-    three dimensions.
+    A lift force of the vortices acts across the flow relative to the pipe. The amplitude of this force per
+    length is C_v rho D / 2 times the squared flow speed. Its phase synchronises with the velocity of the
+    riser. A section with ``viv`` must also have drag across the pipe, because drag limits the amplitude. The
+    engine simulates a scene with ``viv`` in three dimensions.
 
-    The ``coefficient`` of ``viv`` is C_v, with a published value of 1.2. The key ``frequencies`` of ``viv``
-    lists three frequencies of the lift force, as multiples of flow speed divided by diameter. The first
-    frequency of ``viv`` is the lowest frequency of the lift force. The second frequency of ``viv`` is the
-    frequency at which lift force and velocity are in phase. The third frequency of ``viv`` is the highest
-    frequency of the lift force. The published frequencies of the lift force are 0.11, 0.18 and 0.26. The
-    mean square of the motion is taken over the time in which the water flows ``memory`` diameters, for
-    example 20. The key ``seed`` of ``viv`` determines the initial phases of the lift force, which vary
-    smoothly along the riser. The key ``ramp`` of ``viv`` is the time over which the lift increases, by
-    default ten shedding periods in the fastest current. The key ``in_line`` of ``viv`` adds an excitation
-    along the flow. Without ``in_line``, vortices cause no excitation along the flow.
+    The ``coefficient`` is C_v, with a published value of 1.2. The key ``frequencies`` lists three frequencies
+    of the lift force, as multiples of flow speed divided by diameter. The first frequency is the lowest one.
+    The second frequency is the frequency at which lift force and velocity are in phase. The third frequency
+    is the highest one. The published values are 0.11, 0.18 and 0.26. The mean square of the motion is taken
+    over the time in which the water flows ``memory`` diameters, for example 20. The key ``seed`` determines
+    the initial phases of the lift force, which vary smoothly along the riser. The key ``ramp`` is the time
+    over which the lift increases, by default ten shedding periods in the fastest current. The key ``in_line``
+    adds an excitation along the flow; without it, vortices cause no excitation along the flow.
     """
 
     model: Literal["synchronisation"]
@@ -161,14 +156,13 @@ class VortexInducedVibration(Strict):
 class Contents(Strict):
     """Fluid inside the riser. The engine adds the weight of the riser's contents to ``submerged_weight``.
 
-    The contents of the riser move with the pipe across the pipe axis, but not along the pipe axis.
+    The contents move with the pipe across the pipe axis, but not along this axis.
 
-    If the bore of the riser is open to the sea, give sea water as contents, or include its weight in
-    ``submerged_weight``. The contents of the riser reach up to ``level``, by default to the upper end of the
-    highest section with contents. The gauge pressure of the contents on the wall is the static pressure of
-    the column of contents up to ``level``. If a riser section between others has no contents, the pressure
-    below this section is unknown. Below a riser section without contents between others, the engine does not
-    compute the von Mises stress.
+    If the bore is open to the sea, give sea water as contents, or include its weight in ``submerged_weight``.
+    The contents reach up to ``level``, by default to the upper end of the highest section with contents. The
+    gauge pressure of the contents on the wall is the static pressure of the column of contents up to
+    ``level``. If a section between others has no contents, the pressure below this section is unknown. The
+    engine then does not compute the von Mises stress below this section.
     """
 
     density: Annotated[u.Density, POSITIVE]
@@ -208,41 +202,36 @@ class Guide(Strict):
 class Section(Strict):
     """A length of riser with uniform properties. The sections of a riser are listed from the bottom up.
 
-    For each riser section, give axial and bending stiffness, or Young's modulus and diameters, from which
-    the engine computes both stiffnesses. A riser section without bending stiffness is a string: it carries
-    no bending moment. Give the mass of a riser section, or ``wall_density``, from which the engine computes
-    the mass; without both, the mass is zero. If at least one riser section has a shear modulus, the torsion
-    of the riser resists the yaw of a vessel. If another section has a shear modulus, riser sections without
-    a shear modulus are rigid in torsion. Drag, added mass, contents and all other parts of a riser section
+    Give the axial and the bending stiffness, or Young's modulus and the diameters, from which the engine
+    computes both stiffnesses. A section without bending stiffness is a string: it carries no bending moment.
+    Give the mass, or ``wall_density``, from which the engine computes the mass; without both, the mass is
+    zero. If at least one section has a shear modulus, the torsion of the riser resists the yaw of a vessel.
+    Sections without a shear modulus are then rigid in torsion. Drag, added mass, contents and all other parts
     that are not given are zero or absent.
 
-    The ``submerged_weight`` of a riser section is the weight of the pipe with everything fixed to it, minus
-    the weight of the water that the *outer* surface displaces. The weight of ``contents`` is not included in
-    ``submerged_weight``. As an example for ``submerged_weight``, a bare steel pipe has an outer diameter of
-    21 in, an inner diameter of 19 in and a mass of 318.2 kg/m. In sea water of 1025 kg/m^3, with a gravity
-    of 9.81 m/s^2, the submerged weight of this example pipe is 874.7 N/m. If the example pipe is full of mud
-    of 1200 kg/m^3, ``contents`` add 2153.4 N/m to its weight. There are two ways to describe the weight of a
-    pipe full of sea water. Give the example pipe either a ``submerged_weight`` of 2714.1 N/m without
-    contents, or 874.7 N/m with contents of 1025 kg/m^3. If a riser section has no ``submerged_weight``, the
-    engine computes the submerged weight from mass, diameters, gravity and water. A riser section without
-    ``submerged_weight`` must therefore have an inner diameter and ``contents``; otherwise the engine refuses
-    the scene. For a riser section that is wholly above the water, ``submerged_weight`` is the weight in air.
-    The engine divides a riser section at the water surface if the section crosses the surface and has no
-    ``submerged_weight``, or has modules or lines. In results, the part of a divided riser section above the
-    water is named ``<name>, above water``. For a part of a riser section above the water, the engine adds
-    the weight of the water displaced by the outer diameter to a given ``submerged_weight``.
+    The ``submerged_weight`` is the weight of the pipe with everything fixed to it, minus the weight of the
+    water that the *outer* surface displaces. The weight of ``contents`` is not included. An example is a bare
+    steel pipe with an outer diameter of 21 in, an inner diameter of 19 in and a mass of 318.2 kg/m. In sea
+    water of 1025 kg/m^3, with a gravity of 9.81 m/s^2, the submerged weight of this pipe is 874.7 N/m. If the
+    pipe is full of mud of 1200 kg/m^3, ``contents`` add 2153.4 N/m to this weight. There are two ways to
+    describe this pipe full of sea water. Give either a ``submerged_weight`` of 2714.1 N/m without contents,
+    or 874.7 N/m with contents of 1025 kg/m^3. If a section has no ``submerged_weight``, the engine computes
+    it from mass, diameters, gravity and water. Such a section must therefore have an inner diameter and
+    ``contents``; otherwise the engine refuses the scene. For a section that is wholly above the water,
+    ``submerged_weight`` is the weight in air. The engine divides a section at the water surface if the
+    section crosses the surface and has no ``submerged_weight``, or has modules or lines. In results, the part
+    above the water is named ``<name>, above water``. For this part, the engine adds the weight of the water
+    displaced by the outer diameter to a given ``submerged_weight``.
 
-    The key ``buoyancy_lift`` of a riser section is the net lift of buoyancy modules in water. The value of
-    ``buoyancy_lift`` has no effect on the simulation, because ``submerged_weight`` already includes the lift
-    of the modules. Only the minimum tension formula of the command ``riserstudy tension`` requires
-    ``buoyancy_lift``, because the formula treats steel and modules separately. Without ``buoyancy_lift``,
-    the command ``riserstudy tension`` does not evaluate the formula for the minimum tension.
+    The key ``buoyancy_lift`` is the net lift of buoyancy modules in water. It has no effect on the
+    simulation, because ``submerged_weight`` already includes the lift. Only the minimum tension formula of
+    the command ``riserstudy tension`` requires ``buoyancy_lift``, because the formula treats steel and
+    modules separately. Without ``buoyancy_lift``, the command does not evaluate this formula.
 
-    If a riser section has ``modules`` or ``lines``, its given mass, weight and stiffness refer to the pipe
-    alone. The engine adds the mass, weight and stiffness of buoyancy modules and auxiliary lines to the
-    pipe. If a scene has ``modules``, the engine sets ``buoyancy_lift`` to their lift, and to zero in
-    sections without modules. The diameters in ``drag`` and ``added_mass`` apply to pipe, modules and lines
-    together.
+    If a section has ``modules`` or ``lines``, its given mass, weight and stiffness refer to the pipe alone.
+    The engine adds the mass, weight and stiffness of modules and lines. If a scene has ``modules``, the
+    engine sets ``buoyancy_lift`` to their lift, and to zero in sections without modules. The diameters in
+    ``drag`` and ``added_mass`` apply to pipe, modules and lines together.
     """
 
     name: str

@@ -55,13 +55,12 @@ class Swell(Strict):
 class RegularWave(Swell, Wave):
     """A regular Airy wave with an amplitude, or with a height of twice the amplitude.
 
-    The surface elevation of a regular wave is amplitude cos(k x - 2 pi t / period + phase). By default, the
-    phase of a regular wave is 0, and the wave travels along x. A regular wave acts from t = 0 without a
-    ramp, on a riser in static equilibrium. For a wave, ``above_mean_level`` defines the water velocities
-    above the mean level: ``none`` (zero), ``constant`` (the velocity at the mean level), or ``stretched``
-    (Wheeler's stretched profile). A regular wave that is higher than 0.142 L tanh(k d) would break, and
-    causes a warning. In the limit of breaking, L is the length of the wave, k its wave number and d the
-    depth of the water.
+    The surface elevation is amplitude cos(k x - 2 pi t / period + phase). By default, the phase is 0, and the
+    wave travels along x. The wave acts from t = 0 without a ramp, on a riser in static equilibrium. The key
+    ``above_mean_level`` defines the water velocities above the mean level: ``none`` (zero), ``constant`` (the
+    velocity at the mean level), or ``stretched`` (Wheeler's stretched profile). A wave that is higher than
+    0.142 L tanh(k d) would break, and causes a warning. Here L is the length of the wave, k its wave number
+    and d the depth of the water.
     """
 
 
@@ -83,23 +82,21 @@ class Storm(Strict):
 class IrregularSea(Storm, Wave):
     """An irregular sea by a JONSWAP spectrum: components of equal energy, with random phases by ``seed``.
 
-    By default, an irregular sea travels along x. An irregular sea acts from t = 0 without a ramp, on a riser
-    in static equilibrium. The key ``above_mean_level`` has the same meaning for an irregular sea as for a
-    regular wave.
+    By default, the sea travels along x. It acts from t = 0 without a ramp, on a riser in static equilibrium.
+    The key ``above_mean_level`` has the same meaning as for a regular wave.
     """
 
 
 class WindDrift(Strict):
     """Ekman's drift of deep water under a steady wind.
 
-    The speed of Ekman's drift at the surface is surface_factor W / sqrt(sin latitude), with the wind speed
-    W. At the surface, the direction of Ekman's drift is 45 degrees from the wind. With increasing depth,
-    Ekman's drift turns further away from the wind. At the friction depth, depth_factor W / sqrt(sin
-    latitude), the drift is opposite to its surface direction, with 1/23 of the surface speed. The key
-    ``component`` selects the part of Ekman's drift that acts on the riser: along the wind, across the wind,
-    the magnitude, or both parts. With ``component: both``, the heading of the current is the heading of the
-    wind. With ``component: both``, the drift turns to the right of the wind in the northern ``hemisphere``,
-    and to the left in the southern hemisphere.
+    The speed of the drift at the surface is surface_factor W / sqrt(sin latitude), with the wind speed W. At
+    the surface, the direction of the drift is 45 degrees from the wind. With increasing depth, the drift
+    turns further away from the wind. At the friction depth, depth_factor W / sqrt(sin latitude), it is
+    opposite to its surface direction, with 1/23 of the surface speed. The key ``component`` selects the part
+    of the drift that acts on the riser: along the wind, across the wind, the magnitude, or both parts. With
+    ``both``, the heading of the current is the heading of the wind. The drift then turns to the right of the
+    wind in the northern ``hemisphere``, and to the left in the southern hemisphere.
     """
 
     wind_speed: Annotated[u.Speed, POSITIVE]

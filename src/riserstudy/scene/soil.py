@@ -18,11 +18,10 @@ from riserstudy.scene.damping import DampingAtPeriod
 class Matlock(Strict):
     """Soft clay under static load, by Matlock's p-y curves.
 
-    The undrained shear strength of soft clay increases linearly with depth. Matlock's p-y curve (resistance
-    over displacement) is infinitely stiff at zero displacement. Up to a small displacement, a straight line
-    therefore replaces Matlock's p-y curve. The straight line in place of Matlock's curve ends at the
-    displacement ``straight_up_to`` times y50, where y50 is the displacement at half of the ultimate
-    resistance.
+    The undrained shear strength increases linearly with depth. Matlock's p-y curve (resistance over
+    displacement) is infinitely stiff at zero displacement. Up to a small displacement, a straight line
+    therefore replaces the curve. This line ends at the displacement ``straight_up_to`` times y50, where y50
+    is the displacement at half of the ultimate resistance.
     """
 
     strength_at_mudline: Annotated[u.Modulus, NOT_NEGATIVE]
@@ -42,10 +41,10 @@ class ElasticSoil(Strict):
 class Sand(Strict):
     """Sand by the p-y curves of API RP 2A: p = A p_u tanh(k X y / (A p_u)) at the depth X.
 
-    In the formula for sand, p_u is the ultimate resistance, y the displacement, and k (``initial_modulus``)
-    the increase of the soil stiffness with depth. In the formula for sand, the factor A is 0.9 under cyclic
-    loading. Under static loading of sand, A is 3 - 0.8 X / D with the diameter D of the conductor, and at
-    least 0.9. For sand, ``friction_angle`` is the angle of internal friction.
+    In the formula, p_u is the ultimate resistance, y the displacement, and k (``initial_modulus``) the
+    increase of the soil stiffness with depth. The factor A is 0.9 under cyclic loading. Under static loading,
+    A is 3 - 0.8 X / D with the diameter D of the conductor, and at least 0.9. The ``friction_angle`` is the
+    angle of internal friction.
     """
 
     friction_angle: Annotated[u.Angle, Field(gt=0, lt=math.radians(50.0))]
@@ -65,11 +64,10 @@ class ResistanceAt(Strict):
 class TabulatedSoil(Strict):
     """p-y curves as a table: rows for several depths, with increasing displacements at each depth.
 
-    Between the points of a p-y curve, the soil resistance is a monotone cubic function that starts at zero.
-    Beyond the last point of a p-y curve, the soil resistance is constant. Between two depths of a p-y table,
-    the soil resistance is interpolated linearly. The soil spring of a node has the mean resistance over the
-    part of the conductor that the node represents. A p-y table must reach from the mudline to the lower end
-    of the conductor.
+    Between the points of a p-y curve, the resistance is a monotone cubic function that starts at zero. Beyond
+    the last point, the resistance is constant. Between two depths, it is interpolated linearly. The soil
+    spring of a node has the mean resistance over the part of the conductor that the node represents. The
+    table must reach from the mudline to the lower end of the conductor.
     """
 
     table: Annotated[list[ResistanceAt], Field(min_length=1)]
@@ -106,12 +104,11 @@ class TabulatedSoil(Strict):
 class SoilDamping(DampingAtPeriod):
     """Dashpots that represent the hysteresis of the soil, parallel to the soil springs.
 
-    The ``ratio`` of soil damping is the damping ratio (damping divided by critical damping) at one period of
-    motion. In a cycle with the period ``at_period`` and the amplitude ``at_displacement``, a soil dashpot
-    dissipates 4 pi ``ratio`` times the elastic energy of its soil spring. The elastic energy for soil
-    damping is computed with the secant stiffness of the soil spring. Choose ``at_period`` of the soil
-    damping close to the period of motion: at longer periods, dashpots dissipate less energy per cycle, but
-    real soil does not.
+    The ``ratio`` is the damping ratio (damping divided by critical damping) at one period of motion. In a
+    cycle with the period ``at_period`` and the amplitude ``at_displacement``, a dashpot dissipates 4 pi
+    ``ratio`` times the elastic energy of its soil spring. This energy is computed with the secant stiffness
+    of the spring. Choose ``at_period`` close to the period of motion: at longer periods, dashpots dissipate
+    less energy per cycle, but real soil does not.
     """
 
     at_displacement: Annotated[u.Length, POSITIVE] | None = None

@@ -18,11 +18,10 @@ from riserstudy.scene.tensioners_by_weight import Carried, DampingRatio
 class Chamber(Strict):
     """Gas on one side of a tensioner piston: the area on which it acts, and its state at mid-stroke.
 
-    If the ``pressure`` of a gas chamber is a gauge pressure, the engine converts it to an absolute pressure.
-    The key ``outside`` of a gas chamber is the external pressure, which acts on ``area`` against the gas. If
-    the ``pressure`` of a gas chamber is a gauge pressure, ``outside`` is the atmospheric pressure by
-    default. If the ``pressure`` of a gas chamber is absolute, ``outside`` is zero by default, because some
-    published tensioner formulas neglect the external pressure.
+    If ``pressure`` is a gauge pressure, the engine converts it to an absolute pressure. The key ``outside``
+    is the external pressure, which acts on ``area`` against the gas. By default, it is the atmospheric
+    pressure if ``pressure`` is a gauge pressure. If ``pressure`` is absolute, ``outside`` is zero by default,
+    because some published tensioner formulas neglect the external pressure.
     """
 
     area: Annotated[u.Area, POSITIVE]
@@ -46,9 +45,9 @@ class Chamber(Strict):
 class Gas(Chamber):
     """One gas chamber per cylinder, with the pull F = A P (V / (V - A reach))^k - A outside.
 
-    In the formula of the cylinder's pull F, A is the area, k the exponent, and P and V are pressure and
-    volume at mid-stroke. In the formula of the cylinder's pull, ``reach`` is the extension from mid-stroke,
-    and ``outside`` is the external pressure.
+    In the formula of the pull F, A is the area, k the exponent, and P and V are pressure and volume at
+    mid-stroke. The symbol ``reach`` is the extension from mid-stroke, and ``outside`` is the external
+    pressure.
     """
 
     exponent: Annotated[float, Field(gt=1)]
@@ -57,8 +56,8 @@ class Gas(Chamber):
 class Pistons(Strict):
     """Tensioner pistons with their rods, which move with the tension ring.
 
-    The ``mass`` of tensioner pistons is the mass of all together (``counted: once``), or of one piston
-    (``counted: each``).
+    The ``mass`` is the mass of all pistons together (``counted: once``), or of one piston (``counted:
+    each``).
     """
 
     mass: Annotated[u.Mass, POSITIVE]
@@ -68,12 +67,11 @@ class Pistons(Strict):
 class TwoChamberGas(Strict):
     """Two gas chambers per tensioner cylinder.
 
-    The gas at high pressure in a two-chamber cylinder pulls the tension ring up. In a two-chamber cylinder,
-    the low-pressure gas and the weight of the pistons act against the pull of the high-pressure gas. The
-    pull of a two-chamber cylinder is the difference between the force of the high-pressure gas and the
-    opposing forces.
+    The gas at high pressure pulls the tension ring up. The low-pressure gas and the weight of the pistons act
+    against this pull. The pull of the cylinder is the difference between the force of the high-pressure gas
+    and the opposing forces.
 
-    Without the key ``pistons``, the tensioner pistons have neither weight nor mass.
+    Without ``pistons``, the pistons have neither weight nor mass.
     """
 
     high: Chamber
@@ -104,9 +102,8 @@ class TableRow(Strict):
 class Linearised(Strict):
     """Straight line that replaces a tensioner's gas law: a tangent, a chord, or a least-squares line.
 
-    A tangent as tensioner law touches the gas law at the extension ``at`` from mid-stroke, by default zero.
-    A chord or a least-squares line as tensioner law is fitted over the stroke range from ``shortest`` to
-    ``longest``.
+    A tangent touches the gas law at the extension ``at`` from mid-stroke, by default zero. A chord or a
+    least-squares line is fitted over the stroke range from ``shortest`` to ``longest``.
     """
 
     by: Literal["tangent", "chord", "least squares"]
@@ -153,10 +150,10 @@ class Stroke(Strict):
 class Arrangement(Strict):
     """Tensioner cylinders between evenly spaced points on the tension ring and on the deck.
 
-    The key ``first_bearing`` is the bearing of the first tensioner cylinder, from +x towards +y. With
-    ``first_bearing: half a spacing``, the direction +x is midway between two cylinders. The key
-    ``deck_elevation`` is the elevation of the upper ends of the tensioner cylinders on the deck, with the
-    platform at rest. The centre of the tensioner deck is vertically above the riser's top.
+    The key ``first_bearing`` is the bearing of the first cylinder, from +x towards +y. With ``half a
+    spacing``, the direction +x is midway between two cylinders. The key ``deck_elevation`` is the elevation
+    of the upper ends of the cylinders on the deck, with the platform at rest. The centre of the deck is
+    vertically above the riser's top.
     """
 
     ring_radius: Annotated[u.Length, NOT_NEGATIVE]
@@ -201,23 +198,20 @@ class Failing(Strict):
 class Tensioners(Strict):
     """Equal tensioner cylinders between tension ring and deck.
 
-    By default, tensioner cylinders have no damping and no stops.
+    By default, the cylinders have no damping and no stops.
 
-    In one state of the riser, all tensioner cylinders are at mid-stroke; the key ``mid_stroke`` selects this
-    state. In the mid-stroke state, the riser is either unstretched, or in equilibrium with the tension that
-    the cylinders have at mid-stroke. In the mid-stroke state, the riser is vertical, in still water, at an
-    offset of zero.
+    In one state of the riser, all cylinders are at mid-stroke; the key ``mid_stroke`` selects this state. The
+    riser is either unstretched, or in equilibrium with the tension that the cylinders have at mid-stroke. In
+    both cases, the riser is vertical, in still water, at an offset of zero.
 
-    Give exactly one law for the pull of a tensioner cylinder: ``gas``, ``two_chamber_gas``, ``linear``,
-    ``carried`` or ``table``. The key ``linearised`` replaces a tensioner's gas law by a straight line. The
-    key ``table`` gives the pull of one tensioner cylinder over its reach (its extension from mid-stroke).
-    Between the rows of a tensioner table, the engine interpolates smoothly and monotonically, or linearly
-    with ``interpolation: linear``. Beyond the ends of a tensioner table, the pull continues linearly, and
-    the run prints a warning.
+    Give exactly one law for the pull of a cylinder: ``gas``, ``two_chamber_gas``, ``linear``, ``carried`` or
+    ``table``. The key ``linearised`` replaces a gas law by a straight line. The key ``table`` gives the pull
+    of one cylinder over its reach (its extension from mid-stroke). Between the rows of the table, the engine
+    interpolates smoothly and monotonically, or linearly with ``interpolation: linear``. Beyond the ends of
+    the table, the pull continues linearly, and the run prints a warning.
 
-    Without the key ``arrangement``, the tensioner cylinders are vertical. Tensioner cylinders listed in
-    ``failed`` (the first is 0) exert no force. Tensioner cylinders that fail during the run are listed in
-    ``failing``.
+    Without ``arrangement``, the cylinders are vertical. Cylinders listed in ``failed`` (the first is 0) exert
+    no force. Cylinders that fail during the run are listed in ``failing``.
     """
 
     count: Annotated[int, Field(ge=1, le=1000), WHOLE]

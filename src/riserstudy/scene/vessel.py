@@ -55,11 +55,10 @@ class SidewaysThrust(Strict):
 class Turning(Strict):
     """Moment of the thrusters about the vertical axis, G (psi_c - psi) - D d psi/dt.
 
-    In the formula of the thrusters' moment, psi is the present yaw angle of the vessel, and psi_c is
-    ``command``, the commanded yaw angle. The yaw angles psi and psi_c are measured from the vessel's initial
-    heading. In the formula of the thrusters' moment, G is ``gain``, and D is ``velocity_gain``. Without
-    ``command``, the commanded yaw angle of the thrusters is zero. Without ``velocity_gain``, the thrusters
-    do not damp the yaw of the vessel. Without ``saturation``, the moment of the thrusters is unlimited.
+    In the formula, psi is the present yaw angle of the vessel, and psi_c is ``command``, the commanded yaw
+    angle. Both angles are measured from the vessel's initial heading. The symbol G is ``gain``, and D is
+    ``velocity_gain``. Without ``command``, the commanded yaw angle is zero. Without ``velocity_gain``, the
+    thrusters do not damp the yaw. Without ``saturation``, the moment is unlimited.
     """
 
     gain: Annotated[u.RotationalStiffness, NOT_NEGATIVE]
@@ -71,16 +70,14 @@ class Turning(Strict):
 class Thrusters(Strict):
     """Thrust G (x_c - x) - D v towards the commanded position x_c, measured from the point above the well.
 
-    In the formula of the thrust, G is ``gain``, D is ``velocity_gain``, and x and v are the position and the
-    velocity of the vessel. The gains of thrusters refer to the directions of the hull in its initial
-    position. Without ``heading``, the commanded position of the thrusters is on the x axis. Without
-    ``velocity_gain``, the thrusters do not damp the vessel's motion. Without ``saturation``, the thrust is
-    unlimited. With ``saturation``, the magnitude of the thrust is limited to the value of ``saturation`` in
-    all directions. By default, the commanded position of the thrusters applies from the start. With
-    ``rise``, the commanded position of the thrusters increases as 1 - exp(-t / rise). By default, the thrust
-    follows its command immediately. With ``lag``, the thrust follows its command with the time constant
-    ``lag``. Without ``sway``, the thrusters exert no thrust across the hull. Without ``yaw``, the thrusters
-    exert no moment on the vessel.
+    In the formula, G is ``gain``, D is ``velocity_gain``, and x and v are the position and the velocity of
+    the vessel. Gains refer to the directions of the hull in its initial position. Without ``heading``, the
+    commanded position is on the x axis. Without ``velocity_gain``, the thrusters do not damp the motion.
+    Without ``saturation``, the thrust is unlimited. With ``saturation``, the magnitude of the thrust is
+    limited to this value in all directions. By default, the commanded position applies from the start. With
+    ``rise``, it increases as 1 - exp(-t / rise). By default, the thrust follows its command immediately. With
+    ``lag``, it follows the command with the time constant ``lag``. Without ``sway``, there is no thrust
+    across the hull. Without ``yaw``, the thrusters exert no moment on the vessel.
     """
 
     gain: Annotated[u.Stiffness, NOT_NEGATIVE]
@@ -107,8 +104,8 @@ class Sway(Strict):
 class Yaw(Strict):
     """Freedom of a vessel to rotate about the vertical axis through the riser's top.
 
-    For the yaw of a vessel, added inertia and hull drag (C |dpsi/dt| dpsi/dt) are zero if not given. If at
-    least one riser section has a shear modulus, the riser resists the vessel's yaw like a torsional spring.
+    Added inertia and hull drag (C |dpsi/dt| dpsi/dt) are zero if not given. If at least one riser section has
+    a shear modulus, the riser resists the yaw like a torsional spring.
     """
 
     inertia: Annotated[u.Inertia, POSITIVE]
@@ -119,11 +116,11 @@ class Yaw(Strict):
 class Coupling(Strict):
     """Platform and riser solved alternately, over intervals.
 
-    With the coupling ``staggered``, the platform first moves over each interval under the riser's force at
-    the start of the interval. In each interval of the coupling, the engine then simulates the riser with the
-    computed motion of the platform. With the coupling ``iterated``, the engine repeats each interval with
-    the new force of the riser, until the platform motion changes by less than ``tolerance``. The default
-    ``tolerance`` of the coupling is the limit for corrections of positions in Newton's iteration.
+    With ``staggered``, the platform first moves over each interval under the riser's force at the start of
+    the interval. The engine then simulates the riser with the computed motion of the platform. With
+    ``iterated``, the engine repeats each interval with the new force of the riser, until the platform motion
+    changes by less than ``tolerance``. The default of ``tolerance`` is the limit for corrections of positions
+    in Newton's iteration.
     """
 
     scheme: Literal["staggered", "iterated"]
@@ -173,19 +170,17 @@ class Coupling(Strict):
 class Vessel(Strict):
     """A platform that floats freely from its initial position, together with the top of the riser.
 
-    For a free-floating platform, added mass, hull drag, wind, wave drift and thrusters are zero if not
-    given. The hull drag of a vessel depends on its velocity relative to the surface current. Without
-    ``sway``, a vessel moves only along x; without ``yaw``, it keeps its heading. Without ``heading``, the
-    hull of a vessel is along x. If all loads act along x, a vessel does not sway or turn, and the engine
-    omits sway and yaw. The engine solves vessel and riser as one system, or alternately if ``coupling`` is
-    given.
+    Added mass, hull drag, wind, wave drift and thrusters are zero if not given. The hull drag depends on the
+    velocity of the vessel relative to the surface current. Without ``sway``, the vessel moves only along x;
+    without ``yaw``, it keeps its heading. Without ``heading``, the hull is along x. If all loads act along x,
+    the vessel does not sway or turn, and the engine omits sway and yaw. The engine solves vessel and riser as
+    one system, or alternately if ``coupling`` is given.
 
     In a scene with a ``vessel``, the key ``platform`` gives first-order motions in waves. The engine adds
-    first-order motions of the platform to the slow motion of the vessel. The riser's top and the deck move
-    with the sum of slow and first-order motions of a vessel. Hull drag, inertia and thrusters of a vessel
-    respond only to its slow motion. The mean wave drift of the vessel is a constant force. The outputs
-    ``low_frequency_surge`` and ``low_frequency_sway`` give the slow motion of a vessel. The outputs
-    ``platform_surge`` and ``platform_sway`` give the sum of slow and first-order motions.
+    them to the slow motion of the vessel. The riser's top and the deck move with the sum of both motions.
+    Hull drag, inertia and thrusters respond only to the slow motion. The mean wave drift is a constant force.
+    The outputs ``low_frequency_surge`` and ``low_frequency_sway`` give the slow motion. The outputs
+    ``platform_surge`` and ``platform_sway`` give the sum.
     """
 
     mass: Annotated[u.Mass, POSITIVE]

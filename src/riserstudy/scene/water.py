@@ -17,8 +17,8 @@ class Water(Strict):
 
     Without the key ``water``, a scene has no drag, added mass, current or waves.
 
-    A scene with waves requires the elevations ``surface`` and ``seabed`` of ``water``. Current profiles that
-    are not given by elevations require ``surface`` and ``seabed``, too.
+    Waves require the elevations ``surface`` and ``seabed``. Current profiles that are not given by elevations
+    require both elevations, too.
     """
 
     density: Annotated[u.Density, POSITIVE]
