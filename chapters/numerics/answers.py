@@ -19,7 +19,8 @@ STEP_FOUND = 0.6  # error (%) of measured stable steps, which are found by bisec
 SURE = 1.96  # standard deviations of a 95 % interval
 ACCURATE, INACCURATE = "accurate", "stable but inaccurate"
 IMPOSSIBLE, TOO_LONG = "refused", "refused: longer than the study allows"
-NOT_JUDGED = "not judged"  # beginning of the message on a random scene that takes too long
+#: beginning of the message on a random scene that takes too long, or has no reference
+NOT_JUDGED = "not judged"
 #: motions that a scene prescribes for the platform
 MOTIONS = frozenset({"surge", "sway", "heave", "roll", "pitch", "yaw", "cruise"})
 #: effects that a scene prescribes; all other effects are physics of riser, water and tensioners

@@ -149,8 +149,8 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
     were = "was" if count == 1 else "were"
     counts = (
         f"{counted(count, 'random scene')} {were} run with a tolerance of {100 * requested:g} %. The engine "
-        f"refused {count - left - ran.sizes['drawn'] or 'none'} of them, and {left or 'none'} took too long "
-        "to be judged"
+        f"refused {count - left - ran.sizes['drawn'] or 'none'} of them, and {left or 'none'} could not be "
+        "judged, because a run took too long or there is no reference solution"
     )
     if not ran.sizes["drawn"]:
         return [f"{counts}."]

@@ -164,7 +164,7 @@ def test_a_request_that_takes_long_is_a_row_that_says_so():
     assert all(message.startswith("not judged: ") for message in found["message"].values)
     assert found["true"].isnull().all()
     said = section({"random_scenes": found}).sentences[0]
-    assert "refused none of them, and 2 took too long to be judged" in said
+    assert "refused none of them, and 2 could not be judged, because a run took too long or" in said
 
 
 def test_the_figure_of_energy_says_how_far_the_balance_is_off_and_who_dissipates():
