@@ -1,4 +1,4 @@
-"""The page on accuracy shows a refinement as it is."""
+"""The page on measured accuracy shows a refinement as it is."""
 
 import re
 from itertools import pairwise
@@ -10,7 +10,7 @@ from riserstudy import load_scene
 from riserstudy.simulation.refine import run
 
 ROOT = Path(__file__).parents[2]
-PAGE = (ROOT / "docs/choosing_accuracy.md").read_text("utf-8")
+PAGE = (ROOT / "docs/measured_accuracy.md").read_text("utf-8")
 ROW = re.compile(
     r"^\| (?P<run>\d+) \| (?P<halved>mesh|step|) ?\| (?P<elements>\d+) \| (?P<step>[\d.]+) "
     r"\| (?P<iterations>\d+) \|$",
@@ -19,7 +19,7 @@ ROW = re.compile(
 
 
 def test_the_table_of_one_refinement_is_what_its_scene_does():
-    table = PAGE.partition("### Example of a refinement")[2].partition("\n### ")[0]
+    table = PAGE.partition("## Example of a refinement")[2].partition("\n## ")[0]
     rows = [found.groupdict() for found in ROW.finditer(table)]
     facts = run(load_scene(ROOT / "config/scenes/bench/s2c.yaml").resolved()).facts["refinements"]
     assert [int(row["run"]) for row in rows] == [*range(1, len(facts) + 1)]

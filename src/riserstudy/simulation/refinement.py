@@ -1,6 +1,6 @@
 """Refine mesh and time step until the estimated error is below the tolerance.
 
-docs/choosing_accuracy.md shows one refinement as a table, with one row per run.
+docs/measured_accuracy.md shows one refinement as a table, with one row per run.
 """
 
 from __future__ import annotations
