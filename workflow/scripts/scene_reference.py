@@ -97,9 +97,10 @@ UNITS = """\
 
 A unit is a product or a quotient of names, with powers: `kN*m/deg`, `lb/ft`, `m^2`. The following table lists
 the usual names by SI unit. A scene can also contain other unit names of the Python library pint. A pressure
-requires the word `absolute` or `gauge` after its unit; moduli and stresses do not. The unit `t` is a tonne,
-`short_ton` is 2000 lb, and `gal` is a US gallon. A barrel (`bbl`) is 42 US gallons. The unit `lb` is a mass;
-`lbf`, `kip` and `tf` are forces. The engine refuses `ton`, because it can mean 1000 kg, 2000 lb or 2240 lb.
+requires the word `absolute` or `gauge` after its unit; a modulus or a stress does not require it. The unit
+`t` is a tonne, `short_ton` is 2000 lb, and `gal` is a US gallon. A barrel (`bbl`) is 42 US gallons. The unit
+`lb` is a mass; `lbf`, `kip` and `tf` are forces. The engine refuses `ton`, because it can mean 1000 kg, 2000
+lb or 2240 lb.
 
 | SI unit | names |
 |---|---|

@@ -47,10 +47,10 @@ class Body(Strict):
     mass. If the displaced volume is not given, the engine computes it from mass and ``submerged_weight``.
     Without ``centre_below``, the body is a point at the riser's end. The key ``centre_below`` is the distance
     from the riser's lower end down to the centre of the body. With this key, the body turns rigidly with the
-    riser's lower end. The ``rotary_inertia``, by default zero, refers to axes across the riser through the
-    body's centre. With ``centre_below``, the arclengths in results start below the riser, at the body's
-    centre of percussion. The arclengths of ``stations`` in ``analysis.output`` still start at the riser's
-    lower end.
+    riser's lower end. The ``rotary_inertia``, by default zero, is the moment of inertia about axes through
+    the body's centre that are perpendicular to the riser. With ``centre_below``, the arclengths in results
+    start below the riser, at the body's centre of percussion. The arclengths of ``stations`` in
+    ``analysis.output`` still start at the riser's lower end.
     """
 
     name: str
@@ -176,20 +176,20 @@ class JointStop(Strict):
 
 
 class TelescopicJoint(Strict):
-    """Telescopic joint above the tension ring, which slides without force, and carries shear and bending.
+    """Telescopic joint above the tension ring: it slides without force, and carries shear and bending.
 
     Water exerts no forces on the telescopic joint. A warning appears if more than half of the joint is below
     the water surface. The ``length`` is the distance from the tension ring to the upper end of the joint with
     the platform at rest. The outer and the inner barrel bend together, as one beam. The key ``tension`` is an
     additional constant pull of tensioners along the joint. Without the key ``stop``, the joint has no end
     stops. A warning then appears if the joint becomes shorter than half of ``length`` or longer than twice
-    ``length``, as no real joint can. Include the mass of the outer barrel in ``top.body`` at the tension
+    ``length``, which no real joint can. Include the mass of the outer barrel in ``top.body`` at the tension
     ring; the inner barrel moves with the platform. The stops of the joint (``stop``) and the stops of the
     tensioners (``tensioners.stroke``) are separate: a rig can have both.
 
     By default, the stroke of the joint and the positions of its stops are measured from ``length``. With
-    ``mid_stroke: riser in equilibrium``, the stroke is zero when the tensioners carry the riser, vertical and
-    in still water.
+    ``mid_stroke: riser in equilibrium``, the stroke is zero when the tensioners carry the vertical riser in
+    still water.
     """
 
     length: Annotated[u.Length, POSITIVE]

@@ -46,7 +46,7 @@ class Slope(Strict):
 
 
 class OwnCurve(Strict):
-    """Your own S-N curve, with one or two slopes; beyond their crossing, the flatter slope applies.
+    """Your own S-N curve with one or two slopes, of which the one with more cycles to failure applies.
 
     Above the reference thickness, the stress range is multiplied by (thickness /
     reference_thickness)^thickness_exponent.
@@ -156,8 +156,8 @@ class Fatigue(Strict):
     """Fatigue damage of details, by rainflow counting of stress and S-N curves (Palmgren and Miner).
 
     The key ``angles`` is the number of places around the wall for which the engine computes damage. The first
-    place is on the side of +x. Between two places, the damage can be larger than at both places, by a factor
-    of at most cos(pi / angles)^-m. The number m is the exponent of the S-N curve.
+    place is on the side of the positive x axis. Between two places, the damage can be larger than at both
+    places, by a factor of at most cos(pi / angles)^-m. The number m is the exponent of the S-N curve.
     """
 
     angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]

@@ -102,8 +102,8 @@ P = TypeVar("P", bound=Instant)
 class TimeSeries(Strict, Generic[P]):
     """A platform motion at points in time, or by a CSV table ``{file: name.csv}``, as a cubic spline.
 
-    Before the first and after the last point of a time series, the platform motion has the value at this
-    end. If all values of a sway, roll or yaw are zero, no simulation in three dimensions is required.
+    Before the first and after the last point of a time series, the platform motion keeps the value of this
+    point. If all values of a sway, roll or yaw are zero, no simulation in three dimensions is required.
     """
 
     points: Annotated[list[P], Field(min_length=4)]

@@ -124,13 +124,13 @@ class VortexInducedVibration(Strict):
     engine simulates a scene with ``viv`` in three dimensions.
 
     The ``coefficient`` is C_v, with a published value of 1.2. The key ``frequencies`` lists three frequencies
-    of the lift force, as multiples of flow speed divided by diameter. The first frequency is the lowest one.
-    The second frequency is the frequency at which lift force and velocity are in phase. The third frequency
-    is the highest one. The published values are 0.11, 0.18 and 0.26. The mean square of the motion is taken
-    over the time in which the water flows ``memory`` diameters, for example 20. The key ``seed`` determines
-    the initial phases of the lift force, which vary smoothly along the riser. The key ``ramp`` is the time
-    over which the lift increases, by default ten shedding periods in the fastest current. The key ``in_line``
-    adds an excitation along the flow; without it, vortices cause no excitation along the flow.
+    of the lift force, as multiples of flow speed divided by diameter. The first frequency is the lowest, and
+    the third is the highest. At the second frequency, lift force and velocity are in phase. The published
+    values are 0.11, 0.18 and 0.26. The model contains mean squares of the motion, taken over the time in
+    which the water flows ``memory`` diameters, for example 20. The key ``seed`` determines the initial phases
+    of the lift force, which vary smoothly along the riser. The key ``ramp`` is the time over which the lift
+    increases, by default ten shedding periods in the fastest current. The key ``in_line`` adds an excitation
+    along the flow; without it, vortices cause no excitation along the flow.
     """
 
     model: Literal["synchronisation"]
@@ -161,8 +161,8 @@ class Contents(Strict):
     If the bore is open to the sea, give sea water as contents, or include its weight in ``submerged_weight``.
     The contents reach up to ``level``, by default to the upper end of the highest section with contents. The
     gauge pressure of the contents on the wall is the static pressure of the column of contents up to
-    ``level``. If a section between others has no contents, the pressure below this section is unknown. The
-    engine then does not compute the von Mises stress below this section.
+    ``level``. If a section without contents lies between sections with contents, the pressure below it is
+    unknown. The engine then does not compute the von Mises stress there.
     """
 
     density: Annotated[u.Density, POSITIVE]
@@ -218,9 +218,9 @@ class Section(Strict):
     or 874.7 N/m with contents of 1025 kg/m^3. If a section has no ``submerged_weight``, the engine computes
     it from mass, diameters, gravity and water. Such a section must therefore have an inner diameter and
     ``contents``; otherwise the engine refuses the scene. For a section that is wholly above the water,
-    ``submerged_weight`` is the weight in air. The engine divides a section at the water surface if the
-    section crosses the surface and has no ``submerged_weight``, or has modules or lines. In results, the part
-    above the water is named ``<name>, above water``. For this part, the engine adds the weight of the water
+    ``submerged_weight`` is the weight in air. If a section crosses the water surface, the engine divides it
+    there in two cases: it has no ``submerged_weight``, or it has modules or lines. In results, the part above
+    the water is named ``<name>, above water``. For this part, the engine adds the weight of the water
     displaced by the outer diameter to a given ``submerged_weight``.
 
     The key ``buoyancy_lift`` is the net lift of buoyancy modules in water. It has no effect on the

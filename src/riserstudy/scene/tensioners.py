@@ -189,7 +189,7 @@ def fault_of_numbers(numbers: list[int], count: int) -> tuple[str, str] | None:
 
 
 class Failing(Strict):
-    """Cylinders (the first is 0) that exert no force from a time of the run on, such as broken lines."""
+    """Cylinders (numbered from 0) that exert no force after a given time, such as broken lines."""
 
     at: Annotated[u.Time, POSITIVE]
     cylinders: Annotated[list[Annotated[int, Field(ge=0)]], Field(min_length=1)]
@@ -200,9 +200,9 @@ class Tensioners(Strict):
 
     By default, the cylinders have no damping and no stops.
 
-    In one state of the riser, all cylinders are at mid-stroke; the key ``mid_stroke`` selects this state. The
-    riser is either unstretched, or in equilibrium with the tension that the cylinders have at mid-stroke. In
-    both cases, the riser is vertical, in still water, at an offset of zero.
+    In one state of the riser, all cylinders are at mid-stroke; the key ``mid_stroke`` selects this state. In
+    this state, the riser is either unstretched, or in equilibrium with the tension that the cylinders have at
+    mid-stroke. In both cases, the riser is vertical, in still water, at an offset of zero.
 
     Give exactly one law for the pull of a cylinder: ``gas``, ``two_chamber_gas``, ``linear``, ``carried`` or
     ``table``. The key ``linearised`` replaces a gas law by a straight line. The key ``table`` gives the pull
@@ -210,8 +210,8 @@ class Tensioners(Strict):
     interpolates smoothly and monotonically, or linearly with ``interpolation: linear``. Beyond the ends of
     the table, the pull continues linearly, and the run prints a warning.
 
-    Without ``arrangement``, the cylinders are vertical. Cylinders listed in ``failed`` (the first is 0) exert
-    no force. Cylinders that fail during the run are listed in ``failing``.
+    Without ``arrangement``, the cylinders are vertical. Cylinders listed in ``failed`` (numbered from 0)
+    exert no force. Cylinders that fail during the run are listed in ``failing``.
     """
 
     count: Annotated[int, Field(ge=1, le=1000), WHOLE]

@@ -92,7 +92,7 @@ class Thrusters(Strict):
 
 
 class Sway(Strict):
-    """The hull of a vessel can move sideways.
+    """Freedom of a vessel to move sideways.
 
     If added mass and hull drag across the hull are not given, they are zero.
     """
@@ -168,7 +168,7 @@ class Coupling(Strict):
 
 
 class Vessel(Strict):
-    """A platform that floats freely from its initial position, together with the top of the riser.
+    """A floating platform, whose motion is computed together with the motion of the riser.
 
     Added mass, hull drag, wind, wave drift and thrusters are zero if not given. The hull drag depends on the
     velocity of the vessel relative to the surface current. Without ``sway``, the vessel moves only along x;

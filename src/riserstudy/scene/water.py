@@ -18,7 +18,7 @@ class Water(Strict):
     Without the key ``water``, a scene has no drag, added mass, current or waves.
 
     Waves require the elevations ``surface`` and ``seabed``. Current profiles that are not given by elevations
-    require both elevations, too.
+    also require these two elevations.
     """
 
     density: Annotated[u.Density, POSITIVE]
