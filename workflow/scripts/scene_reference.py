@@ -64,7 +64,7 @@ phase, for example `heave_phase`.
 Editors that support JSON schema can complete and check scene files. The command `riserstudy schema` prints
 the schema, [`scene.schema.json`](../workflow/schemas/scene.schema.json). To use it, write the following
 comment in the first line of a scene file. The path in this comment is relative to the folder of the scene
-file:
+file.
 
 ```yaml
 # yaml-language-server: $schema=../../../workflow/schemas/scene.schema.json

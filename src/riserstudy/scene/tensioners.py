@@ -71,7 +71,7 @@ class TwoChamberGas(Strict):
     against this pull. The pull of the cylinder is the difference between the force of the high-pressure gas
     and the opposing forces.
 
-    Without ``pistons``, the pistons have neither weight nor mass.
+    Without ``pistons``, the weight and the mass of the pistons are zero.
     """
 
     high: Chamber
