@@ -23,11 +23,10 @@ def test_what_the_page_shows_stands_in_the_file_that_it_names(file, code):
     assert code in (ROOT / file).read_text("utf-8")
 
 
-def test_an_effect_is_four_places_beside_its_generator():
+def test_an_effect_is_three_files_and_its_test():
     assert {block.values[0] for block in blocks()} == {
         "src/riserstudy/effects/guide.py",
         "src/riserstudy/scene/riser.py",
         "src/riserstudy/model/joints.py",
-        "src/riserstudy/model/build.py",
         "tests/effects/each/guide.py",
     }

@@ -6,16 +6,19 @@ from types import SimpleNamespace
 
 import pytest
 
-from riserstudy.report.audit import NO_REASON, audit, missed, relevant_errors, warned
+from riserstudy.report.audit import ERRORS, NO_REASON, audit, missed, relevant_errors, warned
 from riserstudy.report.wording import counted, spaced
+from riserstudy.scene.outputs import QUANTITIES
 
-TABLES = """
+COLUMNS = ["error_displacement", "error_moment", "error_tension", "error_angle"]
+OTHERS = [f"error_{name}" for name in ERRORS if f"error_{name}" not in COLUMNS]
+TABLES = f"""
 create table parameters (point, path, value);
 create table studies (study, paper, name, caption, axes, table_name, accuracy);
 create table columns (table_name, column_name, role, position);
 create table wide (point);
-create table points (point integer primary key, study, place, error_displacement, error_moment,
-    error_tension, error_angle, warnings, wall_seconds, unexplained_energy);
+create table points (point integer primary key, study, place, {", ".join(COLUMNS)},
+    warnings, wall_seconds, unexplained_energy, {", ".join(OTHERS)});
 create table rests_on (paper, id, study);
 create table simulated_behind (study, source);
 create table numbers_and_claims (paper, id, kind, verdict, margin);
@@ -28,14 +31,16 @@ insert into numbers_and_claims values
 @pytest.mark.parametrize(
     "keep, errors",
     [
-        (None, ["displacement", "moment", "tension", "angle"]),
+        (None, [*ERRORS]),
         (["x", "ufj_angle"], ["displacement", "angle"]),
         (["lfj_angle_max"], ["angle"]),
         (["bending_moment_max"], ["moment"]),
         (["x", "effective_tension"], ["displacement", "tension"]),
         (["largest_stress"], ["moment", "tension"]),
-        (["tensioner_force", "riser_reaction_x"], ["tension"]),
-        (["time_of_nothing", "bending_moment"], ["displacement", "moment"]),
+        (["tensioner_force", "riser_reaction_x"], ["tension", "tensioner_force"]),
+        (["platform_surge", "bending_moment"], ["displacement", "moment"]),
+        (["stroke_max", "shear_force"], ["shear", "stroke"]),
+        (["damage_rate", "lift_max"], ["lift", "damage"]),
     ],
 )
 def test_an_error_counts_where_what_it_tells_of_is_kept(keep, errors):
@@ -51,7 +56,7 @@ def database(rows):
             "insert into studies values (?, 'paper', ?, '', '{}', 'wide', null)", (f"paper/{name}", name)
         )
         db.execute(
-            "insert into points values (?, ?, '', ?, ?, ?, ?, '', 1, 0)",
+            f"insert into points values (?, ?, '', ?, ?, ?, ?, '', 1, 0{', null' * len(OTHERS)})",
             (point, f"paper/{name}", *errors, *[None] * (4 - len(errors))),
         )
         if fixed:
@@ -78,6 +83,17 @@ def test_an_error_of_what_nobody_stores_is_no_miss():
     off = missed(db, kept(shape=(["x", "bending_moment"], None)))
     assert (off.off, off.verdicts) == (1, [("paper", "N1")])
     assert off.reasons == [(NO_REASON, 1, ["paper/shape"])]
+
+
+@pytest.mark.parametrize("name", [name for name, of in QUANTITIES.items() if of.is_array])
+def test_on_a_prescribed_mesh_only_errors_of_what_is_stored_count(name):
+    """Each error in turn is 30 %, and the study stores one quantity."""
+    for error in ERRORS:
+        db = database([("stored", True, None, 0.001)])
+        db.execute(f"update points set error_{error} = 0.3")
+        of = missed(db, kept(stored=([f"{name}_max"], None)))
+        assert of.off == (error in QUANTITIES[name].errors), error
+        assert of.where == (f"paper/stored ({error})" if of.off else "")
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -216,7 +232,7 @@ def test_a_dataset_is_told_by_the_worst_of_its_points_and_their_sum(seed):
         text, fixed = draw.choice(["", "a warning"]), draw.random() < 0.5
         points.append((errors, spent, lost, text, fixed))
         row = (point, "paper/runs", "", *errors, text, spent, lost)
-        db.execute("insert into points values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", row)
+        db.execute(f"insert into points values ({', '.join('?' * len(row))}{', null' * len(OTHERS)})", row)
         if fixed:
             db.execute("insert into parameters values (?, 'analysis.mesh.elements', 9)", (point,))
     (row,) = audit(db, kept(runs=(None, None)))

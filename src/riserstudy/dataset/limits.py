@@ -8,34 +8,24 @@ from typing import Any, NamedTuple
 
 from riserstudy.records.numerals import newtons, percent
 from riserstudy.scene.limit_inputs import lacks, lacks_outputs, times_of_mean
-from riserstudy.scene.limits import ALONG, ANGLES, OF_THE_RISER, SIGNED, STROKES, UNITS, Limit
+from riserstudy.scene.limits import ALONG, OF_THE_RISER, SIGNED, UNITS, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.outputs import QUANTITIES
 from riserstudy.scene.pressures import not_in_demand
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
-#: outputs whose error is estimated but not limited by a tolerance: by key of the error, its name and outputs
-UNBOUNDED = {
-    "angle": ("angle", ANGLES),
-    "shear": ("shear force", ("shear_force",)),
-    "stroke": ("stroke", STROKES),
-    "tensioner_force": ("tensioner force", ("tensioner_force",)),
-    "overpull": ("overpull", ("overpull",)),
-    "lift": ("lift", ("lmrp_clearance",)),
+#: errors that are estimated, but not limited by a tolerance: by name, as sentences call them
+NOT_LIMITED = {
+    "angle": "angle",
+    "shear": "shear force",
+    "stroke": "stroke",
+    "tensioner_force": "tensioner force",
+    "overpull": "overpull",
+    "lift": "lift",
 }
 #: those whose allowable is never zero: an error is also small or large compared with it
 MAGNITUDES = ("angle", "shear")
-#: estimated errors of other outputs, which a tolerance limits, but a prescribed mesh does not
-BOUNDED = {
-    "bending_moment": ("moment",),
-    "effective_tension": ("tension",),
-    "lower_end_tension": ("tension",),
-    "von_mises_stress": ("moment", "tension"),
-    "largest_stress": ("moment", "tension"),
-    "x": ("displacement",),
-    "y": ("displacement",),
-}
 # smallest remainder of a value after subtraction of its error, as a share; below it, nothing is known
 LEAST_LEFT = 0.1
 # largest error on a prescribed mesh, as a share, with which the place or time of reaching a limit is known
@@ -72,7 +62,7 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
     """
     rows = facts.get("extremes", [])
     estimated = facts.get("error_estimate", {})
-    errors = {k: v for k, v in estimated.items() if k not in UNBOUNDED and v > 1.0}
+    errors = {k: v for k, v in estimated.items() if k not in NOT_LIMITED and v > 1.0}
     unknown = ", ".join(f"{name} {percent(value)}" for name, value in errors.items())
     plain = "published" if scene.paper else "given"
     each = []
@@ -88,9 +78,9 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
     return each
 
 
-def _unbounded(output: str) -> str | None:
-    """Key of an output's error that no tolerance limits; None for other outputs."""
-    return next((name for name, (_, of) in UNBOUNDED.items() if output in of), None)
+def _not_limited(output: str) -> str | None:
+    """Name of an output's error that no tolerance limits; None for other outputs."""
+    return next((name for name in QUANTITIES[output].errors if name in NOT_LIMITED), None)
 
 
 class Error(NamedTuple):
@@ -107,12 +97,14 @@ def error_of(output: str, facts: Mapping[str, Any], own_mesh: bool) -> Error:
     ``own_mesh``: whether the scene prescribes its mesh, so no error is limited.
     """
     estimated = facts.get("error_estimate", {})
-    if name := _unbounded(output):
-        noun, outputs = UNBOUNDED[name]
+    names = QUANTITIES[output].errors
+    if name := _not_limited(output):
+        outputs = [other for other in UNITS if QUANTITIES[other].errors == names]
         share = estimated.get(name, 0.0)
         size = _absolute(share, outputs, facts)
-        return Error(size, share, f"an error of the {noun}, {_in_words(size, UNITS[output])} as estimated")
-    names = BOUNDED.get(output, ()) if own_mesh else ()
+        words = f"an error of the {NOT_LIMITED[name]}, {_in_words(size, UNITS[output])} as estimated"
+        return Error(size, share, words)
+    names = names if own_mesh else ()
     share = max((estimated.get(name, 0.0) for name in names), default=0.0)
     words = f"an error of {output}, {percent(share)} as estimated"
     # the error at the foot is relative to the largest value anywhere
@@ -129,7 +121,7 @@ def _in_words(size: float, unit: str) -> str:
 
 def too_coarse(limit: Limit, error: Error) -> str:
     """Why it is not known where or when a limit is reached on a prescribed mesh; empty if it is known."""
-    of_allowable = _unbounded(limit.output) in MAGNITUDES
+    of_allowable = _not_limited(limit.output) in MAGNITUDES
     if (error.size / abs(limit.allowable) if of_allowable else error.share) <= SURE:
         return ""
     most = f"{100.0 * SURE:g} %{' of its allowable' if of_allowable else ' of its largest value'}"
@@ -157,7 +149,7 @@ def _with_error(one: Checked, facts: Mapping[str, Any], own_mesh: bool) -> Check
     """The limit, marked as not certainly met if the error of its output exceeds the margin."""
     if one.verdict != WITHIN or one.demand is None:
         return one
-    name = _unbounded(one.output)
+    name = _not_limited(one.output)
     if name == "shear" and "vibration_since" in facts:
         why = "an estimated error of the shear force, which a riser that vibrates in vortices does not have"
         return one._replace(verdict=UNKNOWN, missing=why)

@@ -50,9 +50,14 @@ def about_points() -> frozenset[str]:
     return frozenset(("point_key", "failure", *(column.name for column in point_columns())))
 
 
+def quantity_of(name: str) -> str:
+    """The quantity of runs that a variable belongs to; "" for others, such as values of all points."""
+    return next((of for end in ("", *ENDINGS) if (of := name.removesuffix(end)) in QUANTITIES), "")
+
+
 def of_runs(name: str) -> bool:
     """Whether a name belongs to a variable that runs return."""
-    return any(name.removesuffix(ending) in OF_RUNS for ending in ("", *ENDINGS))
+    return quantity_of(name) in OF_RUNS
 
 
 def variables() -> dict[str, dict[str, str]]:

@@ -14,7 +14,7 @@ from riserstudy.model.disconnect import lift_gauge
 from riserstudy.model.ends import ends
 from riserstudy.model.hydrodynamics import current, hydrodynamics, wave
 from riserstudy.model.initial_shape import above_ground, between_ends, under_a_joint
-from riserstudy.model.joints import guides, inner_joints, sliding_joint, stress_gauge
+from riserstudy.model.joints import between_sections, sliding_joint, stress_gauge
 from riserstudy.model.layout import AXES, Layout, directions, layout_of
 from riserstudy.model.mesh import Mesh, blend_by_weight, lowest_leaning
 from riserstudy.model.model import Effect, Model, Report, Unknowns
@@ -79,8 +79,7 @@ def effects_of(of: Layout, report: Report) -> Iterator[Effect]:
     yield from hydrodynamics(of)
     yield from ends(of)
     yield from tensioners(of)
-    yield from inner_joints(of, report)
-    yield from guides(of)
+    yield from between_sections(of, report)
     yield from soil(of)
     yield from sliding_joint(of)
     yield from stress_gauge(of, report)

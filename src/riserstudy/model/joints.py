@@ -1,4 +1,7 @@
-"""Effects within and at the top of the riser string: inner joints, guides, a telescopic joint, a gauge."""
+"""Effects within and at the top of the riser string: inner joints, guides, a telescopic joint, a gauge.
+
+A new effect between sections needs a generator here, and a line in `between_sections`.
+"""
 
 from __future__ import annotations
 
@@ -18,6 +21,12 @@ from riserstudy.scene.riser import Section
 
 #: quantities that an inner flex joint in space reports after its angle: its rotation about x, y and z
 TURNS = tuple(f"lfj_angle about {axis}" for axis in "xyz")
+
+
+def between_sections(of: Layout, report: Report) -> Iterator[Effect]:
+    """Effects at the nodes between sections."""
+    yield from inner_joints(of, report)
+    yield from guides(of)
 
 
 def inner_joints(of: Layout, report: Report) -> Iterator[Effect]:

@@ -100,17 +100,21 @@ class RunFacts(TypedDict, total=False):
         Column(_ERROR + "tension", "1", name="error_tension", part="tension"),
         Column(_ERROR + "flex joint angles" + _NOT_LIMITED, "1", name="error_angle", part="angle"),
         Column(_ERROR + "shear force" + _NOT_LIMITED, "1", name="error_shear", part="shear"),
-        Column(_ERROR + "strokes" + _NOT_LIMITED, "1", name="error_stroke", part="stroke", **_RARE),
+        Column(_ERROR + "strokes" + _NOT_LIMITED, "1", name="error_stroke", part="stroke", optional=True),
         Column(
             _ERROR + "tensioner forces" + _NOT_LIMITED,
             "1",
             name="error_tensioner_force",
             part="tensioner_force",
-            **_RARE,
+            optional=True,
         ),
-        Column(_ERROR + "overpull" + _NOT_LIMITED, "1", name="error_overpull", part="overpull", **_RARE),
-        Column(_ERROR + "lift and clearance" + _NOT_LIMITED, "1", name="error_lift", part="lift", **_RARE),
-        Column(_ERROR + "fatigue damage", "1", name="error_damage", part="damage", **_RARE),
+        Column(
+            _ERROR + "overpull" + _NOT_LIMITED, "1", name="error_overpull", part="overpull", optional=True
+        ),
+        Column(
+            _ERROR + "lift and clearance" + _NOT_LIMITED, "1", name="error_lift", part="lift", optional=True
+        ),
+        Column(_ERROR + "fatigue damage", "1", name="error_damage", part="damage", optional=True),
     ]
     audit: Annotated[
         EnergyAudit,

@@ -12,25 +12,21 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
+from riserstudy.dataset.limits import NOT_LIMITED
+from riserstudy.dataset.variables import quantity_of
 from riserstudy.records.words import counted, listed
 from riserstudy.report.without_points import WithoutPoints, without_points
 from riserstudy.report.wording import grouped, share, spaced
 from riserstudy.scene.fields import in_si
-from riserstudy.scene.limits import ANGLES
+from riserstudy.scene.outputs import QUANTITIES
 from riserstudy.study.models import StudyFile
 from riserstudy.study.study_model import StudyModel
 
 TOLERANCE = 0.01  # largest accepted estimated error of a point without a requested accuracy
 ROUNDING = 1e-9  # excess over a tolerance that is rounding
-#: variables (by the start of their names) that each error belongs to; all others: error of displacement
-RELEVANT_ERRORS = {
-    "moment": ("bending_moment", "largest_stress"),
-    "tension": ("effective_tension", "largest_stress", "tensioner_force", "riser_reaction"),
-    "angle": ANGLES,
-}
-ERRORS = ("displacement", *RELEVANT_ERRORS)
-#: errors that a requested tolerance does not limit; they count where mesh and time step are prescribed
-NOT_LIMITED = ("angle",)
+IN_COLUMNS = ("displacement", "moment", "tension", "angle")  # errors with a column in the report's tables
+#: all estimated errors, as quantities name them
+ERRORS = tuple(dict.fromkeys((*IN_COLUMNS, *(name for of in QUANTITIES.values() for name in of.errors))))
 LARGEST = ("unexplained_energy", "wall_seconds", *(f"error_{name}" for name in ERRORS))
 NO_REASON = "one mesh and one time step are used for all points of the study"
 #: points, whether their mesh is prescribed, and their requested accuracy, which an axis may set
@@ -59,6 +55,13 @@ class Row(NamedTuple):
     warned: int
     total: float  # of all its points (s)
     longest: float
+
+    @property
+    def other_errors(self) -> dict[str, float]:
+        """Errors of the dataset's variables that have no column of their own, as sentences call them."""
+        names = {"damage": "fatigue damage", **NOT_LIMITED}
+        others = [error for error in self.counts if error not in IN_COLUMNS]
+        return {names[error]: self.errors[error] for error in others if self.errors[error]}
 
     @property
     def clean(self) -> bool:
@@ -153,11 +156,8 @@ def relevant_errors(keep: list[str] | None) -> list[str]:
     """Return the errors that count for a study: of the variables that it keeps; None keeps all."""
     if keep is None:
         return list(ERRORS)
-    names = {
-        error: [name for name in keep if name.startswith(begins)] for error, begins in RELEVANT_ERRORS.items()
-    }
-    others = set(keep).difference(*names.values())
-    return [*(["displacement"] if others else []), *(error for error, of in names.items() if of)]
+    relevant = {error for name in keep for error in QUANTITIES[quantity_of(name)].errors}
+    return [error for error in ERRORS if error in relevant]
 
 
 def _points(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Iterator[dict[str, Any]]:

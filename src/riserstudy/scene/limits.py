@@ -15,9 +15,9 @@ from riserstudy.scene.units import to_si
 #: outputs that may have a limit, with the SI unit that the text of the limit is converted to
 UNITS = {name: of.limit_unit for name, of in QUANTITIES.items() if of.limit_unit}
 ANGLES = tuple(output for output, unit in UNITS.items() if unit == "rad")
-STROKES = ("stroke", "joint_stroke", "tensioner_stroke")
+STROKES = tuple(output for output in UNITS if QUANTITIES[output].errors == ("stroke",))
 #: outputs whose sign is a convention: their limits apply to the magnitude
-SIGNED = ("bending_moment", "shear_force", "x", "y", "ufj_angle", "lfj_angle")
+SIGNED = tuple(output for output in UNITS if QUANTITIES[output].sign_is_convention)
 #: outputs that have a value at every place along the riser
 ALONG = tuple(name for name in UNITS if QUANTITIES[name].along)
 #: outputs of which a limit without a place covers only the riser: stack and conductor are of other steel and

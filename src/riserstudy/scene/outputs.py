@@ -1,7 +1,8 @@
-"""Quantities that runs return: the scenes that have each quantity, and the unit of its limits.
+"""Quantities that runs return: the scenes that have each quantity, its limits and its estimated errors.
 
 A new quantity requires an entry here, its label in ``dataset/variables.yaml``, and the code that computes it.
-Limits, plots, figures and the list of names that axes may not have use this table.
+Limits, plots, figures, the report and the list of names that axes may not have use this table. The labels are
+in another file, so that a study need not simulate its points again when a label changes.
 """
 
 from __future__ import annotations
@@ -63,6 +64,10 @@ class Quantity:
     at_foot_of: str = ""
     # whether runs return it over the riser or time; if not, runs return one number
     is_array: bool = True
+    at_rest: bool = True  # whether runs also return its value at rest
+    sign_is_convention: bool = False  # if so, a limit applies to the magnitude
+    # names of the estimated errors that cover it
+    errors: tuple[str, ...] = ("displacement",)
 
 
 def wall_lacks(scene: _SceneParts, section: Section) -> list[str]:
@@ -116,64 +121,103 @@ def _yaw_of_thrusters(scene: _SceneParts) -> bool:
     return bool(thrusters and thrusters.yaw and _of_vessel("yaw", spatial=True)(scene))
 
 
+def _disconnects(scene: _SceneParts) -> bool:
+    return scene.disconnect is not None
+
+
+def _moving(needs: str, is_in: Callable[[_SceneParts], bool], error: str = "displacement") -> Quantity:
+    """A quantity over time only, without limits."""
+    return Quantity(needs, is_in, at_rest=False, errors=(error,))
+
+
 _OUT = "load or motion out of the plane"
 _ACROSS = "bending stiffness and a load across"
 
 QUANTITIES: dict[str, Quantity] = {
-    "effective_tension": Quantity(limit_unit="N", along=True),
-    "bending_moment": Quantity(_ACROSS, lambda s: bool(s.lateral), "N*m", along=True),
-    "shear_force": Quantity(_ACROSS, lambda s: bool(s.lateral), "N", along=True),
+    "effective_tension": Quantity(limit_unit="N", along=True, errors=("tension",)),
+    "bending_moment": Quantity(
+        _ACROSS, lambda s: bool(s.lateral), "N*m", along=True, sign_is_convention=True, errors=("moment",)
+    ),
+    "shear_force": Quantity(
+        _ACROSS, lambda s: bool(s.lateral), "N", along=True, sign_is_convention=True, errors=("shear",)
+    ),
     "von_mises_stress": Quantity(
         "section with diameters and contents, or no gravity or water.surface",
         lambda s: not all(wall_lacks(s, section) for section in s.riser),
         "N/m^2",
         along=True,
+        errors=("moment", "tension"),
     ),
-    "x": Quantity("load or motion across", lambda s: bool(s.lateral), "m", along=True),
-    "y": Quantity(_OUT, lambda s: bool(s.spatial), "m", along=True),
+    "x": Quantity(
+        "load or motion across", lambda s: bool(s.lateral), "m", along=True, sign_is_convention=True
+    ),
+    "y": Quantity(_OUT, lambda s: bool(s.spatial), "m", along=True, sign_is_convention=True),
     "z": Quantity(),
     "ufj_angle": Quantity(
-        "top.x that is held, on the platform or a vessel", lambda s: bool(s.lateral), "rad"
+        "top.x that is held, on the platform or a vessel",
+        lambda s: bool(s.lateral),
+        "rad",
+        sign_is_convention=True,
+        errors=("angle",),
     ),
-    "lfj_angle": Quantity("a held lower end, or a riser.flex_joint_below", lambda s: bool(s.lateral), "rad"),
+    "lfj_angle": Quantity(
+        "a held lower end, or a riser.flex_joint_below",
+        lambda s: bool(s.lateral),
+        "rad",
+        sign_is_convention=True,
+        errors=("angle",),
+    ),
     "stroke": Quantity(
         "motion, and top.tensioners, top.telescopic_joint, or a platform below which top.z is free",
         _has_stroke,
         "m",
+        at_rest=False,
+        errors=("stroke",),
     ),
-    "joint_stroke": Quantity("top.telescopic_joint", lambda s: s.top.telescopic_joint is not None, "m"),
-    "tensioner_stroke": Quantity("top.tensioners", lambda s: s.top.tensioners is not None, "m"),
-    "tensioner_force": Quantity("top.tensioners", lambda s: s.top.tensioners is not None, "N"),
-    "lower_end_tension": Quantity(limit_unit="N", at_foot_of="effective_tension"),
+    "joint_stroke": Quantity(
+        "top.telescopic_joint", lambda s: s.top.telescopic_joint is not None, "m", errors=("stroke",)
+    ),
+    "tensioner_stroke": Quantity(
+        "top.tensioners", lambda s: s.top.tensioners is not None, "m", errors=("stroke",)
+    ),
+    "tensioner_force": Quantity(
+        "top.tensioners", lambda s: s.top.tensioners is not None, "N", errors=("tensioner_force",)
+    ),
+    "lower_end_tension": Quantity(limit_unit="N", at_foot_of="effective_tension", errors=("tension",)),
     "largest_stress": Quantity(
         "analysis.output.stress_in",
         lambda s: bool(s.analysis.output and s.analysis.output.stress_in),
         "N/m^2",
+        errors=("moment", "tension"),
     ),
-    "overpull": Quantity("disconnect", lambda s: s.disconnect is not None, "N", is_array=False),
-    "lmrp_clearance": Quantity("disconnect", lambda s: s.disconnect is not None, "m", is_array=False),
-    "damage_rate": Quantity("fatigue", lambda s: s.fatigue is not None),
-    "lift": Quantity("disconnect", lambda s: s.disconnect is not None),
-    "lift_rate": Quantity("disconnect", lambda s: s.disconnect is not None),
-    "lift_aside": Quantity("disconnect", lambda s: s.disconnect is not None),
-    "platform_surge": Quantity("vessel", _of_vessel()),
-    "platform_speed_x": Quantity("vessel", _of_vessel()),
-    "riser_reaction_x": Quantity("vessel", _of_vessel()),
-    "environment_force_x": Quantity("vessel", _of_vessel()),
-    "platform_speed_y": Quantity(f"vessel with {_OUT}", _of_vessel(spatial=True)),
-    "riser_reaction_y": Quantity(f"vessel with {_OUT}", _of_vessel(spatial=True)),
-    "environment_force_y": Quantity(f"vessel with {_OUT}", _of_vessel(spatial=True)),
-    "platform_sway": Quantity("vessel.sway", _of_vessel("sway")),
-    "platform_yaw": Quantity("vessel.yaw", _of_vessel("yaw")),
-    "low_frequency_surge": Quantity("vessel with a platform", _with_platform(_of_vessel())),
-    "low_frequency_speed_x": Quantity("vessel with a platform", _with_platform(_of_vessel())),
-    "low_frequency_sway": Quantity("vessel.sway with a platform", _with_platform(_of_vessel("sway"))),
-    "low_frequency_speed_y": Quantity(
+    "overpull": Quantity(
+        "disconnect", _disconnects, "N", is_array=False, at_rest=False, errors=("overpull",)
+    ),
+    "lmrp_clearance": Quantity(
+        "disconnect", _disconnects, "m", is_array=False, at_rest=False, errors=("lift",)
+    ),
+    "damage_rate": Quantity("fatigue", lambda s: s.fatigue is not None, at_rest=False, errors=("damage",)),
+    "lift": _moving("disconnect", _disconnects, "lift"),
+    "lift_rate": _moving("disconnect", _disconnects, "lift"),
+    "lift_aside": _moving("disconnect", _disconnects, "lift"),
+    "platform_surge": _moving("vessel", _of_vessel()),
+    "platform_speed_x": _moving("vessel", _of_vessel()),
+    "riser_reaction_x": _moving("vessel", _of_vessel(), "tension"),
+    "environment_force_x": _moving("vessel", _of_vessel()),
+    "platform_speed_y": _moving(f"vessel with {_OUT}", _of_vessel(spatial=True)),
+    "riser_reaction_y": _moving(f"vessel with {_OUT}", _of_vessel(spatial=True), "tension"),
+    "environment_force_y": _moving(f"vessel with {_OUT}", _of_vessel(spatial=True)),
+    "platform_sway": _moving("vessel.sway", _of_vessel("sway")),
+    "platform_yaw": _moving("vessel.yaw", _of_vessel("yaw")),
+    "low_frequency_surge": _moving("vessel with a platform", _with_platform(_of_vessel())),
+    "low_frequency_speed_x": _moving("vessel with a platform", _with_platform(_of_vessel())),
+    "low_frequency_sway": _moving("vessel.sway with a platform", _with_platform(_of_vessel("sway"))),
+    "low_frequency_speed_y": _moving(
         f"vessel.sway with a platform, and {_OUT}", _with_platform(_of_vessel("sway", spatial=True))
     ),
-    "thrust_x": Quantity("vessel.thrusters", _of_vessel("thrusters")),
-    "thrust_y": Quantity(
+    "thrust_x": _moving("vessel.thrusters", _of_vessel("thrusters")),
+    "thrust_y": _moving(
         f"vessel.thrusters and vessel.sway with {_OUT}", _of_vessel("thrusters", "sway", spatial=True)
     ),
-    "thrust_moment": Quantity(f"vessel.thrusters.yaw with {_OUT}", _yaw_of_thrusters),
+    "thrust_moment": _moving(f"vessel.thrusters.yaw with {_OUT}", _yaw_of_thrusters),
 }

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from riserstudy.dataset.variables import ENDINGS
+from riserstudy.dataset.variables import quantity_of
 from riserstudy.scene.origin import unwrap
 from riserstudy.scene.outputs import QUANTITIES
 from riserstudy.scene.paths import within
@@ -48,7 +48,7 @@ def _replaced(study: Study) -> Iterator[str]:
 
 
 def _absent_outputs(study: Study) -> Iterator[str]:
-    left = {name: _quantity(name) for name in study.model.keep or []}
+    left = {name: quantity_of(name) for name in study.model.keep or []}
     left = {name: of for name, of in left.items() if of}
     for index in study.grid.near_first([range(len(axis)) for axis in study.grid.axes]):
         if not left:
@@ -57,8 +57,3 @@ def _absent_outputs(study: Study) -> Iterator[str]:
         left = {name: of for name, of in left.items() if not QUANTITIES[of].is_in(scene)}
     for name, of in left.items():
         yield f"{study.where}: keep: no run has {name!r}, which needs {QUANTITIES[of].needs}"
-
-
-def _quantity(name: str) -> str:
-    """The quantity of runs that a variable belongs to; "" for others, such as values of all points."""
-    return next((of for end in ("", *ENDINGS) if (of := name.removesuffix(end)) in QUANTITIES), "")

@@ -39,8 +39,6 @@ USUAL: dict[Plot, tuple[str, ...]] = {
     "workable hours": (),
 }
 SIDES = ("_max", "_min", "_absmax")
-#: prefixes of quantities that exist over time only, not at rest
-_MOVING = ("platform_", "thrust_", "riser_reaction_", "environment_force_", "lift", "stroke")
 ANOTHER = "choose another quantity or plot"
 
 
@@ -82,7 +80,7 @@ def reason_to_leave_out(plot: Plot, quantity: str, study: Study) -> Reason | Non
         return Reason("has no values along the riser", f"use one of {', '.join(ALONG)}")
     if plot == "time series" and (quantity != stem or stem in ALONG[-2:]):
         return Reason("has no time history", "choose plot 'lines' or 'envelope', which show extremes")
-    if quantity.endswith("_static") and stem.startswith(_MOVING):
+    if quantity.endswith("_static") and stem in QUANTITIES and not QUANTITIES[stem].at_rest:
         return Reason("has no value in static equilibrium")
     if plot == "envelope" and quantity.endswith("_absmax") and stem not in SIGNED:
         return Reason("has no magnitude along the riser, since its sign has a meaning")
