@@ -22,7 +22,7 @@ MOST_VALUES = 300_000_000  # largest number of values of a history over all time
 
 
 class Layers(Strict):
-    """Lengths of layers of short segments at the ends of the riser; a suitable length is sqrt(EI/T)."""
+    """Length of the layer of short segments at each end of the riser; a suitable length is sqrt(EI/T)."""
 
     bottom: Annotated[u.Length, POSITIVE] | None = None
     top: Annotated[u.Length, POSITIVE] | None = None

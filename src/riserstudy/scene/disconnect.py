@@ -91,8 +91,8 @@ class Disconnect(Strict):
     default, the disconnect is sudden. A sudden disconnect sends steep fronts of tension waves along an
     undamped riser. A constant top tension remains unchanged after the disconnect, unless ``valve`` is given.
     The tensioners act as before the disconnect, unless ``recoil_valve`` is given. By default, the contents
-    stay in the riser. With ``drain``, they flow out. Without ``stack``, the LMRP does not re-contact the BOP
-    stack but can move through it, with a warning.
+    stay in the riser. With ``drain``, they flow out. Without ``stack``, the LMRP does not re-contact the
+    blow-out preventer (BOP) stack but can move through it, with a warning.
     """
 
     at: Annotated[u.Time, POSITIVE]

@@ -37,7 +37,7 @@ class BodyAddedMass(Strict):
 
 
 class Body(Strict):
-    """A concentrated mass, such as an LMRP or a tension ring.
+    """A concentrated mass, such as a lower marine riser package (LMRP) or a tension ring.
 
     Give the submerged weight of the body, or give its displaced volume or the density of its material. From
     volume or density, the engine computes the submerged weight with the mass and gravity. A body at or above

@@ -100,7 +100,7 @@ P = TypeVar("P", bound=Instant)
 
 
 class TimeSeries(Strict, Generic[P]):
-    """A platform motion at points in time, or by a CSV table ``{file: name.csv}``, as a cubic spline.
+    """A platform motion as a cubic spline through points, listed here or in a CSV table ``{file: name.csv}``.
 
     Before the first and after the last point of a time series, the platform motion keeps the value of this
     point. If all values of a sway, roll or yaw are zero, no simulation in three dimensions is required.
@@ -151,8 +151,8 @@ class Platform(Strict):
     """Prescribed platform motion: harmonic, a sum of harmonics, or a time series.
 
     A motion that is not given is zero. By default, a harmonic motion has the phase 0 and no ramp. Roll is a
-    rotation about x, pitch about y, and yaw about z. With a positive pitch, the platform's vertical leans
-    towards +x.
+    rotation about x, pitch about y, and yaw about z. With a positive pitch, the platform's vertical axis
+    leans towards +x.
 
     In a scene with a ``vessel``, the motions of the ``platform`` are the first-order (wave-frequency) motions
     of the vessel, and the centre of rotation drifts with the vessel. Phases of response amplitude operators

@@ -35,10 +35,10 @@ class Line(Strict):
 
     Give the mass, or ``wall_density``, from which the engine computes the mass. The ``contents`` are the
     density of the fluid inside, which moves with the line; without ``contents`` the line is empty. Lines with
-    a modulus bend together with the pipe, each about its own axis. With ``tension: shared``, pipe and lines
-    share the tension by their stiffnesses. With ``tension: sliding``, the ends of the lines slide along the
-    pipe, and the lines carry no tension. In reality, the pressure in a line changes the tension of the pipe;
-    the engine neglects this change.
+    a ``young_modulus`` bend together with the pipe, each about its own axis. With ``tension: shared``, pipe
+    and lines share the tension by their stiffnesses. With ``tension: sliding``, the ends of the lines slide
+    along the pipe, and the lines carry no tension. In reality, the pressure in a line changes the tension of
+    the pipe; the engine neglects this change.
     """
 
     name: str
