@@ -39,12 +39,12 @@ def factor_between(one: str, other: str) -> float:
     """Number of the unit ``other`` in the unit ``one``, which are known; NaN if their dimensions differ."""
     if one == other:
         return 1.0
-    from riserstudy.scene.units import factor
+    from riserstudy.scene.units import UnitFault, factor
 
     one, other = ({"": "1", "%": "percent"}.get(name) or scene_notation(name) for name in (one, other))
     try:
         return factor("dimensionless" if one == "1" else one, "dimensionless" if other == "1" else other)
-    except (Misfit, ValueError):
+    except UnitFault:
         return math.nan
 
 
@@ -52,7 +52,7 @@ def factor_between(one: str, other: str) -> float:
 def _look_up(name: str, text: str) -> None:
     """Look a unit up in pint, by the conversion to itself; raises Misfit when it is not there."""
     # the grader loads no scenes unless it must
-    from riserstudy.scene.units import LONGEST_UNIT, factor, usual_units
+    from riserstudy.scene.units import LONGEST_UNIT, UnitFault, factor, usual_units
 
     allowed = "write a unit such as 'kN m' or 'm/s', or '1' for a number without a unit"
     if any(text in names for names in usual_units().values()):
@@ -61,10 +61,9 @@ def _look_up(name: str, text: str) -> None:
         raise Misfit("", f"{name!r} is not a known unit", allowed)
     try:
         factor(text, text)
-    except Misfit as error:
-        raise Misfit("", f"{name!r} {error.found}", error.allowed) from None
-    except ValueError:
-        raise Misfit("", f"{name!r} is not a known unit", allowed) from None
+    except UnitFault as fault:
+        found = f"{name!r} {fault.found if fault.remedy else 'is not a known unit'}"
+        raise Misfit("", found, fault.remedy or allowed) from None
 
 
 UnitName = Annotated[str, AfterValidator(known_unit)]

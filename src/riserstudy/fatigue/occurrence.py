@@ -15,11 +15,10 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.unit_names import scene_notation
 from riserstudy.errors import InputError
-from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.number_cell import number_in
 from riserstudy.inputs.text import read_text
 from riserstudy.records.words import counted
-from riserstudy.scene.units import to_si
+from riserstudy.scene.units import UnitFault, unit_factor
 from riserstudy.study.months import uneven_months
 from riserstudy.study.spacing import check_spacing
 
@@ -209,10 +208,10 @@ def _factor(path: Path | str, text: str, unit: str, of_axis: str) -> float:
         allowed = f"write the unit after the name: '{text.strip()} ({of_axis})'"
         raise InputError(path, text.strip(), "the heading has no unit", allowed)
     try:
-        return to_si(f"1 {unit}", scene_notation(of_axis))
-    except Misfit as fault:
-        found = f"the unit {unit!r} {fault.found.removeprefix(repr(f'1 {unit}')).strip()}"
-        raise InputError(path, text.strip(), found, f"use a unit such as {of_axis}") from None
+        return unit_factor(unit, scene_notation(of_axis))
+    except UnitFault as fault:
+        allowed = fault.remedy or f"use a unit such as {of_axis}"
+        raise InputError(path, text.strip(), f"the unit {unit!r} {fault.found}", allowed) from None
 
 
 def _number(path: Path, row: int, column: str, cell: str) -> float:

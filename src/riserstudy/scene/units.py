@@ -32,6 +32,19 @@ _EXPONENT = r"(?:\s*(?:\^|\*\*)\s*-?\d{1,2}(?!\d))?"
 _UNIT = re.compile(rf"(?:[^\W\d]\w*+{_EXPONENT}|\){_EXPONENT}|[°%*/(\s]|1(?=\s*/))*+")
 LONGEST_UNIT = 60  # characters
 MOST = 1e30  # SI units: above any real value, and its fourth power is still a finite number
+UNKNOWN = "is not known"
+
+
+class UnitFault(ValueError):
+    """A unit that cannot be used.
+
+    ``found``: continues a sentence about the unit, such as "is not known". ``of_value``: continues one about
+    a value with this unit; absent: as ``found``. ``remedy``: for an ambiguous unit; absent: none.
+    """
+
+    def __init__(self, found: str, of_value: str = "", remedy: str = ""):
+        self.found, self.of_value, self.remedy = found, of_value or found, remedy
+        super().__init__(found)
 
 
 @lru_cache(4096)
@@ -54,17 +67,13 @@ def to_si(text: str, unit: str) -> float:
     if not number:
         raise Misfit("", f"{text!r} does not start with a number", allowed)
     name = plain[number.end() :].strip()
-    if len(name) > LONGEST_UNIT or not _UNIT.fullmatch(name):
-        raise Misfit("", f"{text!r} has a unit that is not known", allowed)
     if not name:
         remedy = allowed if unit == "Pa" else f"write, for example, '{plain} {unit}'"
         raise Misfit("", f"{text!r} has no unit", remedy)
     try:
         value = float(number.group()) * _factor(name, unit) + offset
-    except Misfit as fault:
-        raise Misfit("", f"{text!r} {fault.found}", fault.allowed) from None
-    except ValueError as error:
-        raise Misfit("", f"{text!r} {error}", allowed) from None
+    except UnitFault as fault:
+        raise Misfit("", f"{text!r} {fault.of_value}", fault.remedy or allowed) from None
     if not math.isfinite(value):
         raise Misfit("", f"{text!r} is not finite", allowed)
     if abs(value) > MOST:
@@ -72,12 +81,29 @@ def to_si(text: str, unit: str) -> float:
     return value
 
 
+def unit_factor(name: str, unit: str) -> float:
+    """Conversion factor of a unit, in the notation of scenes, to an SI unit.
+
+    Raises UnitFault when it is not known, has the wrong dimension, or is too large.
+    """
+    value = _factor(name.strip(), unit)
+    if not value <= MOST:
+        raise UnitFault(f"is larger than {MOST:g} {unit}")
+    return value
+
+
 def _factor(name: str, unit: str) -> float:
     """Conversion factor of a unit to its SI unit, from the stored table or from pint."""
     if name == unit:
         return 1.0
+    if not name or len(name) > LONGEST_UNIT or not _UNIT.fullmatch(name):
+        raise _unknown()
     known = usual_units().get(unit, {}).get(name)
     return factor(name, unit) if known is None else known
+
+
+def _unknown() -> UnitFault:
+    return UnitFault(UNKNOWN, f"has a unit that {UNKNOWN}")
 
 
 @cache
@@ -91,13 +117,14 @@ def usual_units() -> dict[str, dict[str, float]]:
 def factor(name: str, unit: str) -> float:
     """Conversion factor of a named unit to an SI unit, from pint.
 
-    Raises ValueError when pint does not know the unit, or the unit has the wrong dimension.
+    Raises UnitFault when pint does not know the unit, or the unit has the wrong dimension.
     """
     import pint
 
     for unclear, (meaning, remedy) in UNCLEAR.items():
         if found := re.search(unclear, name):
-            raise Misfit("", f"has the unit {found.group()!r}, which means {meaning}", remedy)
+            which = f"{found.group()!r}, which means {meaning}"
+            raise UnitFault(f"contains {which}", f"has the unit {which}", remedy)
     name = BARREL.sub("oil_barrel", name)
     try:
         given, wanted = _registry().parse_units(name), _registry().parse_units(unit)
@@ -106,14 +133,14 @@ def factor(name: str, unit: str) -> float:
         if unit == "rad/s" and list(given._units) in CYCLES:  # to pint a cycle is no angle
             same, value = True, value * math.tau
     except pint.DimensionalityError:
-        raise ValueError(f"has the wrong dimension{HINTS.get((name, unit), '')}") from None
+        raise UnitFault(f"has the wrong dimension{HINTS.get((name, unit), '')}") from None
     except Exception:
-        raise ValueError("has a unit that is not known") from None
+        raise _unknown() from None
     if odd := [name for name in given._units if _is_no_quantity(name)]:
-        raise ValueError(f"contains {odd[0]!r}, which is not a unit of a quantity")
+        raise UnitFault(f"contains {odd[0]!r}, which is not a unit of a quantity")
     if not same:
         needed = "must contain" if _angle_power(wanted._units) else "must not contain"
-        raise ValueError(f"{needed} an angle, deg or rad")
+        raise UnitFault(f"{needed} an angle, deg or rad")
     return float(value)
 
 

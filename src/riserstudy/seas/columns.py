@@ -11,15 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
-from riserstudy.inputs.misfit import Misfit
-from riserstudy.scene.units import to_si
+from riserstudy.scene.units import UnitFault, unit_factor
 
 
 class Column(NamedTuple):
     """A quantity of a sea record."""
 
     name: str
-    unit: str  # SI unit, as for `to_si`; "deg" is not converted
+    unit: str  # SI unit, as for `unit_factor`; "deg" is not converted
     long_name: str
     standard_name: str  # CF standard name
     least: float
@@ -141,10 +140,10 @@ def head(where: str, text: str) -> Head:
             raise InputError(where, text.strip(), f"the unit {unit!r} is not degrees", "give values in deg")
         return Head(quantity, key, 1.0, unit, turned)
     try:
-        return Head(quantity, key, to_si(f"1 {unit}", quantity.unit), unit)
-    except Misfit as error:
-        found = f"the unit {unit!r} {error.found.removeprefix(repr(f'1 {unit}')).strip()}"
-        raise InputError(where, text.strip(), found, f"use a unit such as {quantity.unit}") from None
+        return Head(quantity, key, unit_factor(unit, quantity.unit), unit)
+    except UnitFault as fault:
+        allowed = fault.remedy or f"use a unit such as {quantity.unit}"
+        raise InputError(where, text.strip(), f"the unit {unit!r} {fault.found}", allowed) from None
 
 
 def check_fills(path: Path, values: NDArray[np.float64], one: Head) -> None:

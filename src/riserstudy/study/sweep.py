@@ -26,7 +26,7 @@ from riserstudy.records.words import counted
 from riserstudy.scene.fields import in_si
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.paths import as_name, value_at
-from riserstudy.scene.units import factor
+from riserstudy.scene.units import UnitFault, factor
 from riserstudy.simulation.compile import available_cores
 from riserstudy.study import store
 from riserstudy.study.collect import dataset_of
@@ -244,9 +244,9 @@ def _in_one_unit(path: str, quantities: list[tuple[float, str]]) -> list[float]:
     unit = quantities[0][1]
     try:
         return [x if own == unit else float(f"{x * factor(own, unit):.15g}") for x, own in quantities]
-    except ValueError as error:
+    except UnitFault as fault:
         units = ", ".join(dict.fromkeys(own for _, own in quantities))
-        found = f"the units {units} cannot be combined: {error}"
+        found = f"the units {units} cannot be combined: one {fault.found}"
         raise InputError("sweep", f"axes.{path}", found, "use one unit for all values") from None
 
 

@@ -119,7 +119,7 @@ LONG = "\n".join(f"{k},{k}" for k in range(6))
         ("time (s),,ufj_angle (deg)\n0,1,1\n1,1,1\n", "a column has no heading"),
         ("time (s),effective_tension at 1.2.3 m (kN)\n" + LONG, "is not a heading with a unit"),
         ("time (s),effective_tension at 0 m (furlong)\n" + LONG, "wrong dimension"),
-        ("time (s),effective_tension at 0 m (kNN)\n" + LONG, "unit that is not known"),
+        ("time (s),effective_tension at 0 m (kNN)\n" + LONG, "is not known"),
         ("time (m),effective_tension at 0 m (kN)\n" + LONG, "wrong dimension"),
         ("when (s),effective_tension at 0 m (kN)\n" + LONG, "is not an axis"),
         ("time at 3 m (s),effective_tension at 0 m (kN)\n" + LONG, "is not an axis"),

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.unit_systems import AS_STORED
 from riserstudy.errors import InputError
-from riserstudy.scene.units import factor
+from riserstudy.scene.units import UnitFault, factor
 
 FloatArray = NDArray[np.float64]
 _NUMBER = r"-?(?:\d+\.?\d*|\.\d+)"
@@ -85,8 +85,9 @@ def in_si(path: Path, title: str, values: FloatArray, unit: str, stored: str) ->
     product = re.sub(r"(?<=[A-Za-z])[.·]\s*(?=[A-Za-z])", "*", unit.replace("°", "deg"))
     try:
         return values * factor("*".join(product.split()), si)
-    except ValueError as error:
-        raise InputError(path, title, f"the unit {unit!r} {error}", f"write, for example, {si}") from None
+    except UnitFault as fault:
+        allowed = fault.remedy or f"write, for example, {si}"
+        raise InputError(path, title, f"the unit {unit!r} {fault.found}", allowed) from None
 
 
 def rising(path: Path, title: str, along: FloatArray) -> FloatArray:
