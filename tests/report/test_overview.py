@@ -20,8 +20,8 @@ def figure(name, title, *claims, paper="paper"):
     )
 
 
-def found(*figures):
-    files = {"paper": SimpleNamespace(title="Name: about", finding="C1")}
+def found(*figures, title="Name: about", short="Name"):
+    files = {"paper": SimpleNamespace(title=title, short=short, finding="C1")}
     return findings([CLAIM, OTHER], files, [*figures])
 
 
@@ -33,6 +33,12 @@ def test_a_finding_is_what_the_most_particular_figure_with_a_number_says():
     )
     assert (one.sentences, one.figure, one.short) == ("It swings by 2 m.", "paper-fig03", "fig03")
     assert (one.claim, one.paper) == (CLAIM, "Name")
+
+
+def test_a_title_without_a_short_name_is_not_taken_apart():
+    """A time of day, or a ratio, has a colon, too."""
+    (one,) = found(figure("fig03", "it swings by 2 m", CLAIM), title="Storm of 12:30", short="")
+    assert one.paper == "Storm of 12:30"
 
 
 def test_a_finding_without_a_figure_says_nothing_of_its_own():

@@ -132,8 +132,8 @@ def title_of(files: dict[str, StudyFile], paper: str) -> str:
 
 
 def short_of(files: dict[str, StudyFile], paper: str) -> str:
-    """Return the short name of a chapter for tables: the part of its title before the colon."""
-    return title_of(files, paper).partition(":")[0]
+    """Return the short name of a chapter for tables: as its file gives it, else its title."""
+    return (files[paper].short if paper in files else "") or title_of(files, paper)
 
 
 def findings(claims: list[Claim], files: dict[str, StudyFile], figures: list[Figure]) -> list[Finding]:

@@ -80,9 +80,10 @@ class RunInMotion(Strict):
 class StudyFile(Strict):
     """Studies of one paper, datasets derived from them, and the figures that read them.
 
-    ``title``, ``reference``, ``about``: short name, full reference and description of the paper, for the
-    report. ``finding``: the published value or claim that the report gives first. Absent: the title is the
-    name of the file, and the others are omitted. ``readings``: named interpretations of the paper, by the
+    ``title``, ``reference``, ``about``: title, full reference and description of the paper, for the report.
+    ``short``: name for tables and figures of the report; absent: the title. ``finding``: the published value
+    or claim that the report gives first. Absent: the title is the name of the file, and the others are
+    omitted. ``readings``: named interpretations of the paper, by the
     values that each sets; studies use them as axes or samples. ``seas``: datasets of workable hours of a
     record of sea states. ``measured``: datasets that code of the chapter measures. ``in_motion``: the run
     that the report shows in motion. ``left_out``: published figures that are not drawn, and their content.
@@ -91,6 +92,7 @@ class StudyFile(Strict):
 
     paper: str
     title: str = ""
+    short: str = ""
     reference: str = ""
     about: str = ""
     finding: str = ""
