@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from chapters.numerics.outcome import Outcome
+
 if TYPE_CHECKING:
     import xarray as xr
 
@@ -17,17 +19,12 @@ OWN = "the paper's own"  # candidate of the long runs with the setting of their 
 COMPARED = 0.002  # relative error at which codes are compared
 STEP_FOUND = 0.6  # error (%) of measured stable steps, which are found by bisection
 SURE = 1.96  # standard deviations of a 95 % interval
-ACCURATE, INACCURATE = "accurate", "stable but inaccurate"
-IMPOSSIBLE, TOO_LONG = "refused", "refused: longer than the study allows"
-#: beginning of the message on a random scene that takes too long, or has no reference
-NOT_JUDGED = "not judged"
 #: motions that a scene prescribes for the platform
 MOTIONS = frozenset({"surge", "sway", "heave", "roll", "pitch", "yaw", "cruise"})
 #: effects that a scene prescribes; all other effects are physics of riser, water and tensioners
 PRESCRIBED = MOTIONS | {"platform response", "wave", "current"}
 #: effect that is added to scenes instead of removed: the engine decides whether a scene has it
-DECIDED = "with motion out of the plane"
-WITHOUT = "without "
+DECIDED = "motion out of the plane"
 
 
 class Price(NamedTuple):
@@ -134,8 +131,8 @@ def hard(stability: xr.Dataset) -> Hard:
     """Count the hard cases by outcome."""
     met = stability["as_expected"].values.astype(bool)
     outcome = stability["written_outcome"].values.astype(str)
-    inaccurate = outcome == INACCURATE
-    compared = inaccurate | (outcome == ACCURATE)
+    inaccurate = outcome == Outcome.INACCURATE
+    compared = inaccurate | (outcome == Outcome.ACCURATE)
     return Hard(int(met.sum()), met.size, int(compared.sum()), int((inaccurate & ~met).sum()))
 
 
@@ -149,19 +146,18 @@ def ranking(effects: xr.Dataset) -> list[Ranked]:
     largest = np.where(known, sizes, -np.inf).max(axis=0)
     times = effects["time_change"].transpose("scene", "change").values
     ranked = []
-    for k, label in enumerate(map(str, effects["change"].values)):
+    of_changes = zip(effects["changed_effect"].values.tolist(), effects["is_added"].values, strict=True)
+    for k, (name, added) in enumerate(of_changes):
         values = largest[np.isfinite(largest[:, k]), k]
-        if not (label.startswith(WITHOUT) or label == DECIDED) or not values.size:
+        if (added and name != DECIDED) or not values.size:
             continue
-        name = label.removeprefix(WITHOUT).removeprefix("with ")
-        added = label == DECIDED
         time = times[np.isfinite(times[:, k]), k]
         share = time / (1.0 + time) if added else -time
         changed = int((values > TOLERANCE).sum())
         shown = f"platform {name}" if name in MOTIONS else name
         ranked.append(
             Ranked(
-                shown, name in PRESCRIBED, added, values.size, changed, tuple(map(float, values)),
+                shown, name in PRESCRIBED, bool(added), values.size, changed, tuple(map(float, values)),
                 *_quartiles(share),
             )
         )  # fmt: skip

@@ -6,11 +6,11 @@ import math
 import time as clock
 from collections.abc import Callable
 from dataclasses import dataclass
-from enum import StrEnum
 
 import numpy as np
 from numpy.typing import NDArray
 
+from chapters.numerics.outcome import Outcome
 from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, RiserStudyError, TakesTooLong
 from riserstudy.model.mesh import Mesh
@@ -19,21 +19,6 @@ from riserstudy.simulation.error_estimate import controlled, deciding, differenc
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import single
 from riserstudy.simulation.vortex_vibration_statistics import apart
-
-
-class Outcome(StrEnum):
-    """Outcome of a run."""
-
-    ACCURATE = "accurate"
-    INACCURATE = "stable but inaccurate"
-    DIVERGED = "finished with impossible values"
-    REFUSED = "refused"
-    UNSTABLE = "refused: physically unstable"
-    TOO_LONG = "refused: longer than the study allows"
-    MISSED = "finished, although physically unstable"
-    UNJUDGED = "finished, without a reference solution"
-    NOT_RUN = "not run"
-
 
 ACCURATE_TO = 0.01
 BEYOND_REASON = 10.0  # factor on the largest displacement, tension or moment of the reference

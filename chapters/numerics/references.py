@@ -49,11 +49,13 @@ class Reference:
     """A reference solution: its description, and a function that returns the errors of a run by quantity.
 
     ``change``: change of the reference by its last refinement, by quantity; empty for another code's history.
+    ``code``: description of another code, whose history it is; "" for a solution by riserstudy.
     """
 
     about: str
     errors: Callable[[Result], dict[str, float]]
     change: dict[str, float] = field(default_factory=dict)
+    code: str = ""
 
 
 def reference(file: SceneFile, name: str, ladder: Ladder, config: Path) -> Reference:
@@ -115,7 +117,8 @@ def stored(path: Path) -> Reference:
     with np.load(path) as file:
         best = {name: file[name] for name in file.files}
     measure = _of_heave if "bottom" in best else _of_surge
-    return Reference(f"stored: {best['about']}", lambda run: measure(run, best))
+    code = str(best["about"])
+    return Reference(f"stored: {code}", lambda run: measure(run, best), code=code)
 
 
 def by_run(best: Result) -> Reference:

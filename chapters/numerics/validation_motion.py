@@ -140,5 +140,5 @@ def histories(files: Files, stored: Mapping[str, Path]) -> Iterator[Row]:
             case, because = f"scene {name} over the whole run", "the errors that the default accuracy allows"
             yield Row(
                 case, f"largest difference of {quantity}", "1", SECOND,
-                other.about.removeprefix("stored: "), 0.0, error, requested[quantity], because, 1.0,
+                other.code, 0.0, error, requested[quantity], because, 1.0,
             )  # fmt: skip

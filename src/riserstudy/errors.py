@@ -21,6 +21,11 @@ class RiserStudyError(Exception):
 
     exit_code = 1
 
+    @property
+    def fault(self) -> str:
+        """What is wrong: the message, without file and remedy if the error knows them separately."""
+        return str(self)
+
 
 class InputError(RiserStudyError):
     """A scene, study, table or command line is invalid.
@@ -44,8 +49,17 @@ class InputError(RiserStudyError):
     def __init__(self, where: object, field: str, found: str, allowed: str, also: tuple[str, ...] = ()):
         self.where, self.field, self.found, self.allowed = str(where), field, found, allowed
         self.also = also
-        place = f"{printable(where)}: {printable(field)}" if field else printable(where)
-        super().__init__(f"{place}: {printable(found)}; {printable(allowed)}")
+        super().__init__(f"{printable(where)}: {self.without_place}")
+
+    @property
+    def fault(self) -> str:
+        """The field, and what is wrong with it."""
+        return f"{printable(self.field)}: {printable(self.found)}" if self.field else printable(self.found)
+
+    @property
+    def without_place(self) -> str:
+        """The message without the file."""
+        return f"{self.fault}; {printable(self.allowed)}"
 
     def __reduce__(self) -> tuple[type[InputError], tuple[str, str, str, str, tuple[str, ...]]]:
         """Return class and arguments with which another process makes the error again."""
@@ -66,9 +80,8 @@ class InputErrors(InputError):
         super().__init__(first.where, first.field, first.found, first.allowed)
         self.faults = tuple(faults)
         if len(faults) > 1:
-            mark = f"{printable(first.where)}: "
-            lines = "".join(f"\n  {str(fault).removeprefix(mark)}" for fault in faults)
-            self.args = (f"{mark}{len(faults)} faults:{lines}",)
+            lines = "".join(f"\n  {fault.without_place}" for fault in faults)
+            self.args = (f"{printable(first.where)}: {len(faults)} faults:{lines}",)
 
     def __reduce__(self) -> tuple[type[InputErrors], tuple[list[InputError]]]:  # type: ignore[override]
         """Return class and arguments with which another process makes the error again."""

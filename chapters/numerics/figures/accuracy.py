@@ -13,7 +13,7 @@ from matplotlib.ticker import FuncFormatter, NullFormatter
 from numpy.typing import NDArray
 
 from chapters.numerics.answers import without_time
-from chapters.numerics.figures.methods import family_of, look_of
+from chapters.numerics.figures.methods import family_of, look_of, short_name
 from chapters.numerics.figures.scenes import in_one_line
 from riserstudy.figures.style import (
     COLOURS,
@@ -85,11 +85,6 @@ def _answer(best: list[list[str]]) -> str:
     return f"{name} reaches the smallest error in {count} of {sum(map(bool, best))} scenes"
 
 
-def _short(family: str) -> str:
-    """Name of a family without its settings."""
-    return family.split(" (")[0]
-
-
 def _scene(ax: Axes, of: xr.Dataset) -> tuple[str, dict[str, float]]:
     """Draw the edges of all families but very slow ones, which are named; return words and least errors.
 
@@ -119,16 +114,27 @@ def _scene(ax: Axes, of: xr.Dataset) -> tuple[str, dict[str, float]]:
             0.98, 0.97, "\n".join(words), transform=ax.transAxes, ha="right", va="top", fontsize="small",
             color="0.35",
         )  # fmt: skip
-    least = {_short(family): float(edge[-1, 1]) for family, edge in edges.items()}
-    times = {
-        _short(family): float(edge[edge[:, 1] <= CLOSE * TARGET, 0].min())
-        for family, edge in edges.items()
-        if family not in beyond and edge[-1, 1] <= CLOSE * TARGET
-    }
+    least, times = _least(edges, beyond)
     if not times:
         return "", least
     ax.axhspan(TARGET, CLOSE * TARGET, color="0.75", linewidth=0.0, zorder=0, label=BAND)
-    return _reached(times, all(family in beyond or _short(family) in times for family in edges)), least
+    return _reached(times, all(family in beyond or short_name(family) in times for family in edges)), least
+
+
+def _least(edges: dict[str, np.ndarray], beyond: list[str]) -> tuple[dict[str, float], dict[str, float]]:
+    """Least errors, and least times (s) to the target, by the short name of a family.
+
+    ``edges``: times and errors, (n, 2), by family. ``beyond``: families that are too slow to have a time.
+    """
+    least: dict[str, float] = {}
+    times: dict[str, float] = {}
+    for family, edge in edges.items():
+        name, error = short_name(family), float(edge[-1, 1])
+        least[name] = min(error, least.get(name, np.inf))
+        if family not in beyond and error <= CLOSE * TARGET:
+            time = float(edge[edge[:, 1] <= CLOSE * TARGET, 0].min())
+            times[name] = min(time, times.get(name, np.inf))
+    return least, times
 
 
 def _reached(times: dict[str, float], every: bool) -> str:

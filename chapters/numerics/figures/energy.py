@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, NullLocator
 
-from chapters.numerics.figures.methods import FAMILIES, look_of
+from chapters.numerics.figures.methods import IN_KEYS, look_of, short_name
 from riserstudy.figures.style import WIDE, WIDTH, headline, key_below
 from riserstudy.records.numerals import rounded_up
 
@@ -49,7 +49,7 @@ def answer(energy: xr.Dataset) -> str:
     worst = str(by["method"].values[int(np.nanargmax(by.values))])
     return (
         f"Energy residuals are at most {rounded_up(100 * float(most['unexplained'].max()))} %; "
-        f"{worst.split()[0]} dissipates up to {100 * float(by.max()):.2g} %"
+        f"{short_name(worst)} dissipates up to {100 * float(by.max()):.2g} %"
     )
 
 
@@ -59,10 +59,8 @@ def _marks(ax: Axes, most: xr.DataArray, cases: list[str]) -> None:
         y = np.arange(len(cases)) + 0.13 * (k - 0.5 * (len(methods) - 1))
         share = most.sel({"method": method}).values
         mark, colour, _ = look_of(method)
-        name = FAMILIES[method] if method.startswith("Newmark") and method in FAMILIES else method
-        name = name.replace("gen.-alpha", "generalised-alpha")
         ax.plot(
-            np.maximum(share, LEAST), y, mark, ms=5.5, color=colour, label=name,
+            np.maximum(share, LEAST), y, mark, ms=5.5, color=colour, label=IN_KEYS.get(method, method),
             markerfacecolor="none" if method in OPEN else colour,
         )  # fmt: skip
     for edge in range(1, len(cases)):

@@ -24,7 +24,7 @@ def long_runs(long_runs: xr.Dataset, papers_settings: xr.Dataset) -> Figure:
     """One panel per case; uniform meshes open, graded filled, fastest run below the wanted error circled."""
     long_runs = xr.concat([papers_settings, long_runs], "run", combine_attrs="drop")
     cases = list(dict.fromkeys(long_runs["case"].values.tolist()))
-    candidates = list(dict.fromkeys(long_runs["candidate"].values.tolist()))
+    candidates = list(dict.fromkeys(_candidates(long_runs)))
     figure, axes = panels(len(cases), 1, height=2.7)
     for ax, case in zip(axes, cases, strict=True):
         here = _of_case(long_runs, case)
@@ -57,6 +57,11 @@ def _of_case(long_runs: xr.Dataset, case: str) -> xr.Dataset:
     return long_runs.isel(run=np.flatnonzero(long_runs["case"].values == case))
 
 
+def _candidates(long_runs: xr.Dataset) -> list[tuple[str, str]]:
+    """Method and kind of mesh of each run."""
+    return list(zip(*(long_runs[name].values.tolist() for name in ("method", "mesh")), strict=True))
+
+
 def answer(long_runs: xr.Dataset) -> str:
     """Title: the kind of mesh that has the wanted error, if it is one kind, else the number of cases with it.
 
@@ -66,20 +71,18 @@ def answer(long_runs: xr.Dataset) -> str:
     error = f"{100 * WANTED:g} %"
     met = [case for case in cases if _quickest(_of_case(long_runs, case)) is not None]
     good = long_runs["error_moment"].values <= WANTED
-    if met == cases and all(EVEN not in label for label in long_runs["candidate"].values[good]):
+    if met == cases and (long_runs["mesh"].values[good] != EVEN).all():
         return f"Only graded meshes reach a moment error below {error} in long runs"
     return f"{len(met)} of {len(cases)} long runs have a setting with an error below {error}"
 
 
-def _panel(ax: Axes, of: xr.Dataset, candidates: list[str]) -> None:
+def _panel(ax: Axes, of: xr.Dataset, candidates: list[tuple[str, str]]) -> None:
     error = np.maximum(of["error_moment"].values, LEAST)
-    labels = of["candidate"].values
-    for label in candidates:
-        here = labels == label
-        method, _, mesh = label.partition(", ")
+    for method, mesh in candidates:
+        here = np.array([one == (method, mesh) for one in _candidates(of)])
         mark, colour, _ = look_of(method)
         ax.plot(
-            of["cpu_seconds"].values[here], error[here], mark, ms=7 if label == OWN else 4.5, color=colour,
+            of["cpu_seconds"].values[here], error[here], mark, ms=7 if method == OWN else 4.5, color=colour,
             markerfacecolor="none" if mesh == EVEN else colour, label=_in_words(method, mesh),
         )  # fmt: skip
     target = float(of["target_seconds"].max())

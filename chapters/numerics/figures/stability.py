@@ -14,8 +14,9 @@ from matplotlib.patches import Patch, Rectangle
 from matplotlib.ticker import FuncFormatter
 from numpy.typing import NDArray
 
-from chapters.numerics.answers import IMPOSSIBLE, TOO_LONG, hard
+from chapters.numerics.answers import hard
 from chapters.numerics.figures.methods import EXPLICIT, look_of
+from chapters.numerics.outcome import REFUSALS, Outcome
 from riserstudy.figures.direct import legible
 from riserstudy.figures.style import headline
 
@@ -63,8 +64,9 @@ def ended(stability: xr.Dataset) -> list[str]:
     for outcome, met in zip(
         map(str, stability["written_outcome"].values), stability["as_expected"].values, strict=True
     ):
-        kinds = {"accurate": ACCURATE, "stable but inaccurate": FLAGGED}
-        end = kinds.get(outcome, REFUSED if outcome.startswith("refused") else UNJUDGED)
+        kinds: dict[str, str] = {Outcome.ACCURATE: ACCURATE, Outcome.INACCURATE: FLAGGED}
+        kinds |= dict.fromkeys(REFUSALS, REFUSED)
+        end = kinds.get(outcome, UNJUDGED)
         ends.append(end if met else WRONG)
     return ends
 
@@ -196,9 +198,9 @@ def _without_explicit(stability: xr.Dataset, family: str) -> str:
     if not np.isnan(_ranges(stability, family, [EXPLICIT])).all():
         return ""
     outcomes = _laddered(stability, family).sel({"method": EXPLICIT})["outcome"].values.astype(str)
-    if (outcomes == IMPOSSIBLE).all():
+    if (outcomes == Outcome.REFUSED).all():
         return "not possible with this effect"
-    return "runs exceed the limit of work" if (outcomes == TOO_LONG).any() else "no stable step found"
+    return "runs exceed the limit of work" if (outcomes == Outcome.TOO_LONG).any() else "no stable step found"
 
 
 def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[str]) -> None:

@@ -16,10 +16,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 import psutil
 
-from chapters.numerics.attempt import Attempt, Outcome, attempt, attempt_on, in_time, too_long
+from chapters.numerics.attempt import Attempt, attempt, attempt_on, in_time, too_long
 from chapters.numerics.fixed_step import freed, stepped, whole
 from chapters.numerics.measured.stability import attempt_limit
 from chapters.numerics.models import AccuracyStudy, Ladder, Method, in_tier
+from chapters.numerics.outcome import Outcome
 from chapters.numerics.outside import RADAU, outside
 from chapters.numerics.reference.check import with_recomputed
 from chapters.numerics.reference.store import Wanted

@@ -103,15 +103,15 @@ def _labels() -> list[str]:
 
 
 def _changed(found: dict[str, Ablation]) -> dict[str, Any]:
-    """Relative changes of peaks and run time by each change."""
+    """Relative changes of peaks and run time by each change, and why some cannot be run."""
     labels = _labels()
     shape = (len(found), len(labels))
     change = {name: np.full(shape, np.nan) for name in (*QUANTITIES, "time")}
-    messages = np.full(shape, "", object)
+    faults = np.full(shape, "", object)
     for i, one in enumerate(found.values()):
         for changed in one.changed:
             at = (i, labels.index(changed.change.label))
-            messages[at] = changed.message
+            faults[at] = changed.fault
             if changed.peaks is None or one.peaks is None or changed.message:
                 continue
             values = one.peaks.change_to(changed.peaks)
@@ -120,7 +120,9 @@ def _changed(found: dict[str, Ablation]) -> dict[str, Any]:
             change["time"][at] = changed.seconds / one.seconds - 1.0
     dims = ("scene", "change")
     return {f"{name}_change": (dims, values) for name, values in change.items()} | {
-        "message": (dims, messages.astype(str))
+        "fault": (dims, faults.astype(str)),
+        "changed_effect": ("change", [change.name for change in changes()]),
+        "is_added": ("change", [change.kind == "added" for change in changes()]),
     }
 
 
@@ -170,6 +172,7 @@ ABOUT = {
     "moment_change": ("1", "relative change of the peak bending moment"),
     "tension_change": ("1", "relative change of the peak top tension"),
     "time_change": ("1", "relative change of the run time"),
+    "is_added": ("1", "whether the change adds the effect, in place of removing it"),
     "time_share": ("1", "share of the run time spent in an effect's own calls"),
     "compile_seconds": ("s", "time of compiling all signatures of a kernel, without what it calls"),
     "signatures": ("1", "signatures of a kernel that the study compiles"),

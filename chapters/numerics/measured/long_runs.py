@@ -93,7 +93,7 @@ def candidates(
         for method, values in case.methods.items():
             for step in case.steps:
                 tried = candidate(file, values, mesh, step, repeats)
-                rows.append(row(name, f"{method}, {label}", step, tried, best) | known)
+                rows.append(row(name, (method, label), step, tried, best) | known)
     return rows
 
 
@@ -138,11 +138,15 @@ def solved(name: str, case: LongCase, file: SceneFile) -> Kept:
     return converged(name, file, finest.result, SMOOTH, mesh)
 
 
-def row(name: str, label: str, step: float, tried: Attempt, best: Result) -> dict[str, Any]:
-    """Return the row of a candidate: its times and errors, or the message of its refusal."""
+def row(name: str, of: tuple[str, str], step: float, tried: Attempt, best: Result) -> dict[str, Any]:
+    """Return the row of a candidate: its times and errors, or the message of its refusal.
+
+    ``of``: its method, and the kind of its mesh, "" for the mesh of a paper.
+    """
     numbers = {
         "case": name,
-        "candidate": label,
+        "method": of[0],
+        "mesh": of[1],
         "asked_step": step,
         "message": tried.message,
         "elements": 0,
@@ -164,7 +168,7 @@ def row(name: str, label: str, step: float, tried: Attempt, best: Result) -> dic
     }
 
 
-TEXTS = ("case", "candidate", "message")
+TEXTS = ("case", "method", "mesh", "message")
 ABOUT = {
     "asked_step": ("s", "time step"),
     "elements": ("1", "segments"),

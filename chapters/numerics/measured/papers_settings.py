@@ -36,5 +36,5 @@ def papers_settings(study: PaperStudy, setting: Setting) -> xr.Dataset:
         best = solution(setting.config, STUDY, name, file.resolved())
         mesh = even(whole(file.resolved()), case.own.elements)
         tried = candidate(file, case.own.set, mesh, case.own.step, 1)
-        rows.append(row(name, OWN, case.own.step, tried, best))
+        rows.append(row(name, (OWN, ""), case.own.step, tried, best))
     return dataset_of(rows)

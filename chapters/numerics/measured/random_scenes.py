@@ -18,10 +18,10 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from chapters.numerics.answers import NOT_JUDGED
-from chapters.numerics.attempt import Outcome, attempt, attempt_on, errors, in_time
+from chapters.numerics.attempt import attempt, attempt_on, errors, in_time
 from chapters.numerics.fixed_step import freed, stepped, whole
 from chapters.numerics.models import Family, RandomStudy, in_tier
+from chapters.numerics.outcome import Outcome
 from chapters.numerics.reference.check import with_recomputed
 from chapters.numerics.reference.converge import SMOOTH, converged, none
 from chapters.numerics.reference.kept import Kept
@@ -69,7 +69,10 @@ class Even(NamedTuple):
 
 @dataclass
 class Drawn:
-    """A random scene: its sampled values, and its results."""
+    """A random scene: its sampled values, and its results.
+
+    ``message``: why it is not judged; ``refused``: whether because the engine refuses it.
+    """
 
     family: str
     number: int
@@ -77,6 +80,7 @@ class Drawn:
     sets: dict[str, Any]
     file: SceneFile
     message: str = ""
+    refused: bool = False
     requested: Result | None = None
     true: dict[str, float] = field(default_factory=dict)
     fixed: Even | None = None  # the cheapest with no larger error
@@ -137,11 +141,10 @@ def judge(config: Path, patience: float, anew: bool, one: Drawn) -> Drawn:
     attempt(lambda: run(scene, 0.0))  # loads kernels, which must not be timed
     tried = attempt(lambda: in_time(scene, patience))
     if tried.result is None:
-        late = f"{NOT_JUDGED}: " if tried.refused is Outcome.TOO_LONG else ""
-        one.message = f"{late}{tried.message}"
+        one.message, one.refused = tried.message, tried.refused is not Outcome.TOO_LONG
         return one
     if kept.result is None:
-        one.message = f"{NOT_JUDGED}: {kept.missing}"
+        one.message = kept.missing
         return one
     one.requested = tried.result
     one.true = errors(tried.result, kept.result)
@@ -255,6 +258,7 @@ def tabulated(study: RandomStudy, drawn: list[Drawn]) -> xr.Dataset:
         "held_out": [one.held_out for one in drawn],
         "sets": [json.dumps(one.sets) for one in drawn],
         "message": [one.message for one in drawn],
+        "is_refused": [one.refused for one in drawn],
     }
     for kind in ("true", "estimated"):
         errors = [_estimated(one) if kind == "estimated" else one.true for one in drawn]

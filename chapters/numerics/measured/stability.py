@@ -16,9 +16,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from chapters.numerics.attempt import ACCURATE_TO, Attempt, Outcome, attempt, attempt_on, judged, mesh_of
+from chapters.numerics.attempt import ACCURATE_TO, Attempt, attempt, attempt_on, judged, mesh_of
 from chapters.numerics.fixed_step import FREE, stepped, whole
 from chapters.numerics.models import Case, Method, StabilityStudy, case_file, in_tier
+from chapters.numerics.outcome import Outcome
 from chapters.numerics.reference.check import with_recomputed
 from chapters.numerics.reference.converge import HARD, converged, none
 from chapters.numerics.reference.kept import Kept

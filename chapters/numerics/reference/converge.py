@@ -6,8 +6,9 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from chapters.numerics.attempt import Outcome, attempt_on, errors, mesh_of
+from chapters.numerics.attempt import attempt_on, errors, mesh_of
 from chapters.numerics.fixed_step import stepped, whole
+from chapters.numerics.outcome import Outcome
 from chapters.numerics.reference.identity import PHYSICS, scene_digest
 from chapters.numerics.reference.kept import Kept, reduced
 from riserstudy.dataset.result import Result

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from chapters.numerics.answers import NOT_JUDGED, STEP_FOUND
+from chapters.numerics.answers import STEP_FOUND
 from chapters.numerics.report.tables import tables
 from riserstudy.records.numerals import duration
 from riserstudy.records.page import Cell, Section, Table
@@ -144,12 +144,13 @@ def costs(effects: xr.Dataset) -> list[str]:
 def random_scenes(drawn: xr.Dataset) -> list[str]:
     """State how often tolerances are met, how good the error estimates are, and the relative work."""
     requested, count = float(drawn.attrs["requested"]), drawn.sizes["drawn"]
-    left = int(drawn["message"].str.startswith(NOT_JUDGED).sum())
+    refused = int(drawn["is_refused"].sum())
     ran = drawn.isel(drawn=drawn["true"].notnull().values)
+    left = count - refused - ran.sizes["drawn"]
     were = "was" if count == 1 else "were"
     counts = (
         f"{counted(count, 'random scene')} {were} run with a tolerance of {100 * requested:g} %. The engine "
-        f"refused {count - left - ran.sizes['drawn'] or 'none'} of them, and {left or 'none'} could not be "
+        f"refused {refused or 'none'} of them, and {left or 'none'} could not be "
         "judged, because a run took too long or there is no reference solution"
     )
     if not ran.sizes["drawn"]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
@@ -75,14 +74,14 @@ def changes(effects: xr.Dataset) -> Table:
         for change in of["change"].values:
             one = of.sel(change=change)
             values = [float(abs(one[name])) for name in CHANGES]
-            sentences = re.sub(r" with (with(?:out)?) ", r" \1 ", str(one["message"].values))
-            if not sentences and np.isnan(values).all():
+            fault = str(one["fault"].values)
+            if not fault and np.isnan(values).all():
                 continue
             time = float(one["time_change"])
             signed = f"{100 * time:+.0f} %" if time == time else ""
             signed = "0 %" if signed in ("+0 %", "-0 %") else signed.replace("-", "−")
             cells = [Cell(str(scene)), Cell(str(change)), *map(_share, values), Cell(signed, _order(time))]
-            rows.append([*cells, Cell(f"Not possible, because {_fault(sentences)}." if sentences else "")])
+            rows.append([*cells, Cell(f"Not possible: {fault}." if fault else "")])
     about = (
         "Each row compares two runs of a scene on one mesh and time step, with and without one effect. The "
         "columns give the relative change of the largest displacement, moment and top tension, and of the "
@@ -90,17 +89,6 @@ def changes(effects: xr.Dataset) -> Table:
     )
     columns = ["Scene", "Change", *map(str.capitalize, CHANGES.values()), "Time", "Remark"]
     return Table("Effects, one by one", about, columns, {2, 3, 4, 5}, rows)
-
-
-def _fault(message: str) -> str:
-    """Return the fault that an error about a scene names, without its file and the remedy."""
-    where = r"\S+\.yaml.*?the change '[^']*': |\S+\.yaml[^:;]*: "
-    named = re.match(rf"(?:{where})?(?:\d+ faults:\s+)?(?:([\w.\[\]]+): )?([^;]+)", message)
-    if named is None:
-        return message
-    field, fault = named.groups()
-    is_verb = re.match(r"(requires|has|does|is|cannot) ", fault)
-    return f"{field or 'the scene'} {fault}" if is_verb else fault
 
 
 def requests(accuracy: xr.Dataset) -> Table:

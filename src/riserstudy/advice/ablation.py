@@ -109,11 +109,19 @@ class Measured:
 
 @dataclass
 class Changed(Measured):
-    """A scene with one effect changed, and the results."""
+    """A scene with one effect changed, and the results.
+
+    ``message``: why it cannot be run; ``fault``: the same without file and remedy; both "" if it ran.
+    """
 
     change: Change
     because: str = ""
     message: str = ""
+    fault: str = ""
+
+    def refused(self, error: RiserStudyError) -> None:
+        """Store why it cannot be run."""
+        self.message, self.fault = str(error), error.fault
 
 
 @dataclass
@@ -167,7 +175,7 @@ def ablate(
             single(brief(of_change, step), laid(of_change, mesh), step)
             runs.append((changed, of_change))
         except RiserStudyError as error:
-            changed.message = str(error)
+            changed.refused(error)
     single(brief(scene, step), mesh, step)
     for k in range(repeats):
         notify(f"timing {len(runs)} runs, round {k + 1} of {repeats}")
@@ -177,7 +185,7 @@ def ablate(
             except RiserStudyError as error:
                 if not isinstance(of, Changed):
                     raise
-                of.message = str(error)
+                of.refused(error)
                 runs.remove((of, which))
     return base
 

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from chapters.numerics.attempt import Attempt, Outcome
+from chapters.numerics.attempt import Attempt
 from chapters.numerics.figures.cost import answer
 from chapters.numerics.measured import accuracy as module
 from chapters.numerics.measured.accuracy import Request, accuracy, judged, requests, scene_of
+from chapters.numerics.outcome import Outcome
 from chapters.numerics.references import Reference, by_run, differences, solved, stored
 from riserstudy.chapters.draw import draw
 from riserstudy.dataset.result import Result

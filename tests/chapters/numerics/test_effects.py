@@ -91,8 +91,10 @@ def changes_of(size, count):
     for k, (values, scenes) in enumerate(zip(size, count, strict=True)):
         sizes[:scenes, k] = values
     names = ("displacement_change", "moment_change", "tension_change", "time_change")
-    coords = {"change": [f"without e{k}" for k in range(len(size))]}
-    return xr.Dataset(dict.fromkeys(names, (("scene", "change"), sizes)), coords)
+    effects = [f"e{k}" for k in range(len(size))]
+    of_changes = {"changed_effect": ("change", effects), "is_added": ("change", [False] * len(effects))}
+    coords = {"change": [f"without {name}" for name in effects]}
+    return xr.Dataset(dict.fromkeys(names, (("scene", "change"), sizes)) | of_changes, coords)
 
 
 def test_the_ranking_prefers_what_is_sure_and_counts_scenes():
@@ -108,7 +110,7 @@ def test_rows_are_ordered_by_the_share_that_the_figure_shows_and_few_scenes_come
     rows = ordered(ranking(changes_of([0.5, 0.5, 0.5e-2, -0.4], [4, 40, 50, 30])))
     assert [one.name for one in rows] == ["e1", "e3", "e2", "e0"]
     some = changes_of([0.5, 0.5], [40, 30])
-    for name in some:
+    for name in ("displacement_change", "moment_change", "tension_change"):
         some[name][:2, 0] = 1e-3  # 38 of 40 scenes are still the most
     assert [one.name for one in ordered(ranking(some))] == ["e1", "e0"]
     figure = draw("numerics", "effects", {"effects": some})

@@ -7,6 +7,7 @@ import pytest
 import xarray as xr
 
 from chapters.numerics.figures.stable_step import answer
+from chapters.numerics.measured import random_scenes as module_of_random_scenes
 from chapters.numerics.measured import tiers as module_of_tiers
 from chapters.numerics.measured.energy import energy
 from chapters.numerics.measured.long_runs import long_runs
@@ -92,8 +93,8 @@ def test_a_papers_own_setting_is_drawn_beside_ours(tmp_path):
         assert not any("paper" in text.get_text() for text in figure.legends[0].get_texts())
         assert "46" not in figure.axes[0].get_title(loc="left")
     both = {"long_runs": found, "papers_settings": of_paper}
-    labels = found["candidate"].values.tolist()
-    assert of_paper["candidate"].values.tolist() == ["the paper's own"]
+    labels = found["mesh"].values.tolist()
+    assert of_paper["method"].values.tolist() == ["the paper's own"]
     assert len(labels) == 2 * len(case.methods)
     for rows in both.values():
         assert (rows["wall_seconds"] > 0.0).all()
@@ -106,7 +107,7 @@ def test_a_papers_own_setting_is_drawn_beside_ours(tmp_path):
         ("graded", "Only graded meshes reach a moment error below 1 % in long runs"),
         ("even", "1 of 1 long runs have a setting with an error below 1 %"),
     ):
-        good = [row for row, label in enumerate(labels) if label.endswith(mesh)]
+        good = [row for row, label in enumerate(labels) if label == mesh]
         met = found.copy(deep=True)
         met["error_moment"][:] = 0.5
         met["error_moment"][good[0]] = 0.005
@@ -161,10 +162,22 @@ def test_a_request_that_takes_long_is_a_row_that_says_so():
     study = only(MEASURED["random_scenes"], "families", CHANG)
     hasty = study.replaced(patience={"preview": 1e-9})
     found = random_scenes(hasty, Setting(CONFIG, "preview", 1))
-    assert all(message.startswith("not judged: ") for message in found["message"].values)
+    assert (found["message"] != "").all()
+    assert not found["is_refused"].any()
     assert found["true"].isnull().all()
     said = section({"random_scenes": found}).sentences[0]
     assert "refused none of them, and 2 could not be judged, because a run took too long or" in said
+
+
+def test_a_scene_without_a_usable_reference_is_not_judged_and_the_engine_does_not_refuse_it(monkeypatch):
+    def damaged(*_):
+        raise store.NotUsed("the reference solution is damaged")
+
+    monkeypatch.setattr(module_of_random_scenes, "read", damaged)
+    monkeypatch.setattr(module_of_random_scenes, "with_recomputed", lambda dataset, *_: dataset)
+    found = random_scenes(only(MEASURED["random_scenes"], "families", CHANG), Setting(CONFIG, "preview", 1))
+    said = section({"random_scenes": found}).sentences[0]
+    assert "refused none of them, and 2 could not be judged" in said
 
 
 def test_the_figure_of_energy_says_how_far_the_balance_is_off_and_who_dissipates():

@@ -1,37 +1,50 @@
-"""Remarks of the table of effects name the fault alone."""
+"""Remarks of the table of effects name the fault alone, whatever characters file and fault contain."""
 
 import numpy as np
 import pytest
 import xarray as xr
 
 from chapters.numerics.report.tables import CHANGES, changes
-from riserstudy.errors import InputError, InputErrors
+from riserstudy.advice.ablation import Changed
+from riserstudy.effects.catalogue import changes as all_changes
+from riserstudy.errors import InputError, InputErrors, SimulationError
 
 CHANGE = "the change 'with drag'"
-WHERE = f"config/scenes/bench/s4b.yaml with {CHANGE}"
-FIRST = InputError(
-    WHERE, "riser[0].submerged_weight", "riser section 'riser' has no weight", "give submerged_weight"
+FILES = ("config/scenes/bench/s4b.yaml", "C:/risers; old/a: b.yaml", "the change 'x': y.yaml")
+FAULTS = (
+    ("riser[0].submerged_weight", "the weight of section 'upper; lower: joint' is missing"),
+    ("riser[0].drag", "has no diameter"),
+    ("wave", "has no effect: no riser section has drag"),
+    ("", "the scene is empty"),
 )
-SECOND = InputError(WHERE, "riser[0].drag", "has no diameter", "give drag.diameter")
-BECAUSE = "hermite cannot simulate drag (the effect is not in this method); remove it"
 
 
-@pytest.mark.parametrize(
-    "message, remark",
-    [
-        (str(FIRST), "riser section 'riser' has no weight"),
-        (str(InputErrors([FIRST, SECOND])), "riser section 'riser' has no weight"),
-        (str(SECOND), "riser[0].drag has no diameter"),
-        (str(InputError(f"s.yaml with b.yaml: studies.a.set, {CHANGE}", "top", "is not", "x")), "top is not"),
-        (str(InputError("s4b.yaml", "", "is empty", "write a scene")), "the scene is empty"),
-        (BECAUSE, BECAUSE.removesuffix("; remove it")),
-    ],
-)
-def test_a_change_that_is_refused_is_told_without_file_and_remedy(message, remark):
+def remark_on(error):
+    """The remark about a change whose run ends with an error."""
+    changed = Changed(change=next(iter(all_changes())))
+    changed.refused(error)
     nothing = (("scene", "change"), np.full((1, 1), np.nan))
+    fault = (("scene", "change"), [[changed.fault]])
     of = xr.Dataset(
-        {**dict.fromkeys([*CHANGES, "time_change"], nothing), "message": (("scene", "change"), [[message]])},
+        {**dict.fromkeys([*CHANGES, "time_change"], nothing), "fault": fault},
         coords={"scene": ["s4b"], "change": ["with drag"]},
     )
     ((*_, cell),) = changes(of).rows
-    assert cell.text == f"Not possible, because {remark}."
+    return cell.text
+
+
+@pytest.mark.parametrize("file", FILES)
+@pytest.mark.parametrize("field, found", FAULTS)
+def test_a_change_that_is_refused_is_told_without_file_and_remedy(file, field, found):
+    error = InputError(f"{file} with {CHANGE}", field, found, "give a weight")
+    told = f"Not possible: {field}: {found}." if field else f"Not possible: {found}."
+    assert remark_on(error) == told
+    other = InputError(f"{file} with {CHANGE}", "top", "is missing", "give it")
+    assert remark_on(InputErrors([error, other])) == told
+
+
+def test_a_run_that_stops_is_told_whole():
+    assert (
+        remark_on(SimulationError("it stopped at 3 s: no; why"))
+        == "Not possible: it stopped at 3 s: no; why."
+    )

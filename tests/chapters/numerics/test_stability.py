@@ -11,11 +11,11 @@ from hypothesis import strategies as st
 from matplotlib.colors import to_hex
 
 from chapters.numerics.answers import STEP_FOUND
-from chapters.numerics.attempt import Outcome
 from chapters.numerics.figures.stability import ENDS, LESS, SHORTEST, ended
 from chapters.numerics.measured.stability import Rung, climbed, run_case, stability, standard_of
 from chapters.numerics.measured.stable_step import BRACKET, HALVINGS, stable_step
 from chapters.numerics.models import StabilityStudy, case_file, in_tier
+from chapters.numerics.outcome import Outcome
 from chapters.numerics.report.section import section
 from riserstudy.chapters.draw import draw
 from riserstudy.study.measured import Setting

@@ -95,6 +95,7 @@ def test_the_tile_of_effects_states_a_share_of_scenes_that_no_effect_it_names_fa
     every = {
         f"{of}_change": (("scene", "change"), sizes) for of in ("displacement", "moment", "tension", "time")
     }
+    every |= {"changed_effect": ("change", names), "is_added": ("change", [False] * len(names))}
     effects = xr.Dataset(every, {"change": [f"without {name}" for name in names]})
     (one,) = shown({"effects": effects})
     least = int(re.search(r"in at least (\d+)", one.answer)[1])
