@@ -24,6 +24,7 @@ FEW = 10  # stations: a run with no more of them does not contain the whole rise
 ALONE = "_no_riser"
 WELLHEAD, LOW = 73.0, 218.0  # m above the conductor's foot: wellhead; a tenth up the riser
 OF_THE_PLATFORM = ("platform_surge", "platform_speed_x", "thrust_x", "environment_force_x")
+FORCES_OF_THE_RISER = ("riser_force_x", "riser_reaction_x")
 OF_THE_RISER = ("riser_reaction_x", "ufj_angle", "lfj_angle", "stroke")
 
 
@@ -34,8 +35,6 @@ def driveoff(**runs: xr.Dataset) -> xr.Dataset:
     """All cases over time. Without riser, its variables are missing, but its forces are zero."""
     cases = [measured(run).assign_coords(case=name).expand_dims("case") for name, run in runs.items()]
     joined = xr.concat(cases, "case", join="outer", coords="minimal", compat="override")
-    for name in ("riser_force_x", "riser_reaction_x"):
-        joined[name] = joined[name].where(~joined["case"].str.endswith(ALONE), 0.0)
     return described(joined, PAPER, "drive-off of the platform, with and without riser")
 
 
@@ -89,7 +88,9 @@ def _both_ways(runs: dict[str, xr.Dataset], kind: str) -> xr.Dataset:
 def measured(run: xr.Dataset) -> xr.Dataset:
     """Variables that figures and limits are computed from, of runs of the platform with or without riser."""
     if "ufj_angle" not in run:
-        return run[list(OF_THE_PLATFORM)].squeeze(drop=True)
+        alone = run[list(OF_THE_PLATFORM)].squeeze(drop=True)
+        none = xr.zeros_like(alone["platform_surge"]).drop_attrs()
+        return alone.assign(dict.fromkeys(FORCES_OF_THE_RISER, none))
     dataset = run[[name for name in (*OF_THE_PLATFORM, *OF_THE_RISER) if name in run]]
     aside = run.get("platform_sway", 0.0)
     dataset["platform_offset"] = np.hypot(run["platform_surge"], aside)

@@ -31,7 +31,8 @@ LAST = 60.0  # s, plotted time of runs from rest: three periods of the platform
 CLOSE = 40.0  # s, plotted time where two such runs are compared
 #: dashes that keep coinciding lines distinguishable
 DASHES = (0, (4, 4)), (0, (7, 2)), (0, (1, 1.5)), (0, (6, 2, 1, 2))
-HEAVE, TENSION = "riser heave $x$ (m)", "riser tension (MN)"
+UNITS = {"heave": "m", "tension": "MN"}
+HEAVE, TENSION = f"riser heave $x$ ({UNITS['heave']})", f"riser tension ({UNITS['tension']})"
 IN_PERIOD = "time in a steady-state period (s)"
 
 
@@ -228,7 +229,7 @@ def _four(runs: xr.Dataset, steady: xr.Dataset, quantity: str, label: str) -> Fi
                     label=STATES[state])  # fmt: skip
         panel_title(ax, of_amplitude(amplitude) + ("" if amplitude in NAMED else " (assumed)"))
         ax.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
-        _heights(ax, settled[quantity], level, label)
+        _heights(ax, settled[quantity], level, UNITS[quantity])
     axes[0].annotate(
         "steady state,\nmeasured from\nequilibrium:", (1.01, 1.0), xycoords="axes fraction", fontsize="small",
         va="top", color=legible(OF_STATE["steady"]),
@@ -255,9 +256,8 @@ def _steady_index(steady: xr.Dataset) -> xr.DataArray:
     return index
 
 
-def _heights(ax: Axes, settled: xr.DataArray, rest: float, label: str) -> None:
-    """Write the distances of crests and troughs from equilibrium next to a panel, in its label's unit."""
-    unit = label.rpartition("(")[2].rstrip(")")
+def _heights(ax: Axes, settled: xr.DataArray, rest: float, unit: str) -> None:
+    """Write the distances of crests and troughs from equilibrium next to a panel, with their unit."""
     for height, side in (
         (float(settled.max()) - rest, "crests +"),
         (float(settled.min()) - rest, "troughs −"),

@@ -6,6 +6,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from chapters.liu2017.figures.shared import (
     REFERENCE,
@@ -24,10 +25,11 @@ from riserstudy.figures.insets import enlarge
 from riserstudy.figures.style import COLOURS, legend_below, panel_title, panels
 
 DRIFT_OFF = "all thrust lost"  # the scenario that is no drive-off
+#: what the platform does in a scenario, and the condition in words
 TITLES = {
-    "unlimited thrust": "drive-off, unlimited thrust",
-    "thrust of 4.5 MN": "drive-off, thrust limited to 4.5 MN",
-    DRIFT_OFF: f"drift-off, {DRIFT_OFF}",
+    "unlimited thrust": ("drive-off", "unlimited thrust"),
+    "thrust of 4.5 MN": ("drive-off", "thrust limited to 4.5 MN"),
+    DRIFT_OFF: ("drift-off", DRIFT_OFF),
 }
 FIRST = {"telescopic joint": "stroke-out"}  # other name of a limit
 CLOSE = 6.0  # s, to both sides of the enlarged part around stroke-out in a drift-off
@@ -78,11 +80,11 @@ def disconnect(disconnect: xr.Dataset, station: float) -> Figure:
     for times, circles, scenario in zip(above, below, scenarios, strict=True):
         run = disconnect.sel(scenario=scenario)
         _limit_times(times, run)
-        _circles(circles, run, station)
+        by_time = _circles(circles, run, station)
         circles.axhline(station, label=_station(station), **REFERENCE)
-        title = TITLES.get(str(scenario), str(scenario))
-        panel_title(times, title)
-        panel_title(circles, f"red circle, {title.rpartition(', ')[-1]}")
+        title = TITLES.get(str(scenario), (str(scenario),))
+        panel_title(times, ", ".join(title))
+        panel_title(circles, f"red circle, {title[-1]}")
         circles.set_xlabel("angle between hull and\nenvironment (°)")
         circles.set_xticks(range(0, 181, 45))
     drifting = [str(scenario) == DRIFT_OFF for scenario in scenarios]
@@ -97,7 +99,7 @@ def disconnect(disconnect: xr.Dataset, station: float) -> Figure:
     set_title(figure, _slowest_in_time(disconnect, station))
     line = below[0].lines[-1]
     legend_below(figure, [line], [str(line.get_label())], 1)
-    _name_lines(above, below[-1])
+    _name_lines(above, below[-1], by_time)
     return figure
 
 
@@ -105,8 +107,8 @@ def _station(station: float) -> str:
     return f"station keeping within {station:g} m (assumed); a red circle below this line: too late"
 
 
-def _name_lines(above: list[Axes], last: Axes) -> None:
-    """Name the limits in each panel; write disconnect times at the right."""
+def _name_lines(above: list[Axes], last: Axes, by_time: dict[float, Line2D]) -> None:
+    """Name the limits in each panel; write the times (s) of disconnects of the last panel at the right."""
     places = {"upper flex joint": (0.0, -16.0, "left"), "conductor": (0.5, 4.0, "center")}
     beneath = (0.5, -15.0, "center")  # below the peak of a line, because another line is just above
     for ax in above:
@@ -115,9 +117,8 @@ def _name_lines(above: list[Axes], last: Axes) -> None:
             other = beneath if "conductor" in names else (0.0, 5.0, "left")
             share, up, across = places.get(name, other)
             label_line(ax, line, share, (0.0, up), ha=across)
-    lines = [line for line in named(last) if str(line.get_label()).startswith("disconnect")]
-    times = [str(line.get_label()).removeprefix("disconnect ") for line in lines]
-    label_ends(last, lines, names=[f"disconnect\n{times[0]}", *times[1:]])
+    first, *others = (f"in {time:g} s" for time in by_time)
+    label_ends(last, [*by_time.values()], names=[f"disconnect\n{first}", *others])
 
 
 def _limit_times(ax: Axes, run: xr.Dataset) -> None:
@@ -128,20 +129,25 @@ def _limit_times(ax: Axes, run: xr.Dataset) -> None:
             ax.plot(run["environment_heading"], beginning, ".-", color=colour, label=name)
 
 
-def _circles(ax: Axes, run: xr.Dataset, station: float) -> None:
-    """Draw the radius over the environment's angle to the hull; a note names too late disconnects."""
+def _circles(ax: Axes, run: xr.Dataset, station: float) -> dict[float, Line2D]:
+    """Draw the radius over the environment's angle to the hull; a note names too late disconnects.
+
+    Returns the line of each time of the disconnect (s).
+    """
     times = run["eds_time"].values
+    lines: dict[float, Line2D] = {}
     for colour, eds in zip(plasma(np.linspace(0.0, 0.85, len(times))), times, strict=True):
         circle = run.sel(eds_time=eds)
         radius = circle["red_circle_radius"].where(circle["red_circle_outcome"] != TOO_LATE)
         label = f"disconnect in {eds:g} s"
-        ax.plot(run["environment_heading"], radius, ".-", color=colour, label=label)
+        (lines[float(eds)],) = ax.plot(run["environment_heading"], radius, ".-", color=colour, label=label)
     late = ~_in_time(run, station)
     if bool(late.any()):
         *first, last = [f"{eds:g}" for eds in times[late.values]]
         longer = f"{', '.join(first)} or {last}" if first else last
         words = f"too late:\ndisconnect in {longer} s"
         ax.text(0.5, 0.95, words, transform=ax.transAxes, ha="center", va="top", fontsize="small")
+    return lines
 
 
 def _in_time(disconnect: xr.Dataset, station: float) -> xr.DataArray:

@@ -19,10 +19,11 @@ from riserstudy.figures.style import GREY, headline, key_below, legend_below, pa
 UNITS = {"small": "-", "medium": "--", "large": ":"}
 WAVE = "wave period (s)"
 GENERIC = "generic semi-submersible"  # the paper does not print the responses of its platform
+#: short name, place, unit and factor from SI
 RESPONSES = {
-    "bending_moment": ("moment at the ring", "kN m", 1e-3),
-    "effective_tension": ("tension at the ring", "kN", 1e-3),
-    "stroke": ("stroke", "m", 1.0),
+    "bending_moment": ("moment", " at the ring", "kN m", 1e-3),
+    "effective_tension": ("tension", " at the ring", "kN", 1e-3),
+    "stroke": ("stroke", "", "m", 1.0),
 }
 CALM = 14.0  # s, wave periods above which waves on the riser reduce its stress
 SPACED = 1e4  # least number with a space between the thousands
@@ -182,12 +183,12 @@ def sea(storm: xr.Dataset) -> Figure:
     """Five minutes around the largest response, the spectra, and exceedance of peak sizes."""
     figure, axes = panels(3, 3, 2.4)
     worst = {}
-    for row, (name, (label, unit, scale)) in enumerate(RESPONSES.items()):
+    for row, (name, (short, place, unit, scale)) in enumerate(RESPONSES.items()):
         history, density = (_at_ring(storm[key]) for key in (name, f"{name}_spectrum"))
         swing = scale * (history - history.mean())
         left, middle, right = axes[3 * row : 3 * row + 3]
         _about_largest(left, scale * history, abs(swing))
-        left.set_ylabel(f"{label} ({unit})")
+        left.set_ylabel(f"{short}{place} ({unit})")
         low = density["frequency"] <= _highest(density)
         middle.plot(density["frequency"][low], scale**2 * density[low], color=ON_TENSIONERS)
         middle.set_ylabel(f"density (({unit})²/Hz)" if " " in unit else f"density ({unit}²/Hz)")
@@ -195,8 +196,7 @@ def sea(storm: xr.Dataset) -> Figure:
             middle.yaxis.set_major_formatter(_with_space)
         _exceeded(right, swing)
         right.set_ylabel("share of larger peaks")
-        right.set_xlabel(f"|{label.split()[0]} − mean| ({unit})")
-        short = label.split()[0]
+        right.set_xlabel(f"|{short} − mean| ({unit})")
         worst[short] = float(abs(swing).max() / swing.std())
         panel_title(left, f"{short} around its peak")
         panel_title(middle, f"{short}, spectrum")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -31,7 +33,27 @@ def changes(runs: xr.Dataset, axis: str, first: float, last: float) -> dict[str,
     return {name: 100.0 * (float(new) / float(old) - 1.0) for name, (old, new) in ratios.items()}
 
 
-def towed_panels(runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, current: str) -> Figure:
+class Label(NamedTuple):
+    """Text for a value of an axis: its number and unit, below a subject; both separately where room is short.
+
+    ``subject``: first words of the whole text, "" for none. ``number``: template of the number and its unit.
+    """
+
+    subject: str
+    number: str
+
+    def short(self, value: float) -> str:
+        """Number and unit of a value."""
+        return self.number.format(value)
+
+    def whole(self, value: float) -> str:
+        """Subject, number and unit of a value."""
+        return f"{self.subject} {self.short(value)}".strip()
+
+
+def towed_panels(
+    runs: xr.Dataset, axis: str, values: tuple[float, ...], label: Label, current: str
+) -> Figure:
     """Figs 11, 12, 14 without key: shapes, moments, axial motion; the motions' differences from the first.
 
     ``values``: of the axis; differences are from the first. ``current``: speed and direction, title of (a).
@@ -42,7 +64,7 @@ def towed_panels(runs: xr.Dataset, axis: str, values: tuple[float, ...], label: 
         shape = run["displacement_along"].sel(time=STATED).dropna("s")
         moment = run["bending_moment_size"].dropna("s")
         top = float(shape["s"][-1])
-        axes[0].plot(-shape, top - shape["s"], color=colour, label=label.format(value))
+        axes[0].plot(-shape, top - shape["s"], color=colour, label=label.whole(value))
         axes[1].plot(moment / 1e3, top - moment["s"], color=colour)
     rise_and_differences(axes[2], axes[3], runs, axis, values, label)
     axes[2].tick_params(labelbottom=False)
@@ -55,7 +77,7 @@ def towed_panels(runs: xr.Dataset, axis: str, values: tuple[float, ...], label: 
 
 
 def rise_and_differences(
-    ax: Axes, below: Axes, runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str
+    ax: Axes, below: Axes, runs: xr.Dataset, axis: str, values: tuple[float, ...], label: Label
 ) -> None:
     """Axial motion of the LMRP in the first case and, in the panel below, the differences of the others."""
     first = runs["lmrp_rise"].sel({axis: values[0]}, method="nearest")
@@ -69,9 +91,8 @@ def rise_and_differences(
     below.set_ylabel("difference (m)")
     ax.set_xlabel(TIME)
     below.set_xlabel(TIME)
-    number_and_unit = " ".join(label.format(values[0]).split()[-2:])
-    panel_title(ax, f"axial motion, {number_and_unit}")
-    panel_title(below, f"differences from {number_and_unit}")
+    panel_title(ax, f"axial motion, {label.short(values[0])}")
+    panel_title(below, f"differences from {label.short(values[0])}")
 
 
 def name_upright(ax: Axes, x: float, up: float, text: str) -> None:

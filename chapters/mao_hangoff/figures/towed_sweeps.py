@@ -15,6 +15,7 @@ from chapters.mao_hangoff.figures.towed_shared import (
     NESTED,
     RISE,
     TIME,
+    Label,
     changes,
     down,
     name_upright,
@@ -80,7 +81,7 @@ def fig10(
         down(ax, label)
         ax.axvline(value, **PRINTED)
         name_upright(ax, value, 0.72, f"{MASSES[0]:g} t, printed:\n{value:g} {unit}")
-    rise_and_differences(axes[2], axes[5], lmrp_mass, "lmrp_mass", MASSES, "{:g} t")
+    rise_and_differences(axes[2], axes[5], lmrp_mass, "lmrp_mass", MASSES, Label("LMRP", "{:g} t"))
     axes[3].axvline(light - heavy, **PRINTED)
     axes[3].set_xlim(right=1.08 * (light - heavy))
     name_upright(axes[3], light - heavy, 0.5, f"120 t, printed:\n{light - heavy:.1f} m")
@@ -107,7 +108,7 @@ def _signed_moment(runs: xr.Dataset) -> xr.DataArray:
 def fig11(current_speed: xr.Dataset) -> Figure:
     """Shapes, moments and axial motions for three speeds of the current, in two profiles."""
     held = "current along, platform 2.5 kn"
-    label = "current {:.1f} m/s"
+    label = Label("current", "{:.1f} m/s")
     figure = _two_profiles(current_speed, "current_speed", (1.0, 1.1, 1.2), label, held)
     headline(figure, _by_profile("current", current_speed, "current_speed", 1.0, 1.2))
     return figure
@@ -116,13 +117,13 @@ def fig11(current_speed: xr.Dataset) -> Figure:
 def fig12(platform_speed: xr.Dataset) -> Figure:
     """Shapes, moments and axial motions for three speeds of the platform, in two profiles."""
     held = "current along, 1.2 m/s"
-    label = "platform {:g} kn"
+    label = Label("platform", "{:g} kn")
     figure = _two_profiles(platform_speed, "platform_speed", (2.4, 2.5, 2.6), label, held)
     headline(figure, _by_profile("platform", platform_speed, "platform_speed", 2.4, 2.6))
     return figure
 
 
-def _two_profiles(runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, held: str) -> Figure:
+def _two_profiles(runs: xr.Dataset, axis: str, values: tuple[float, ...], label: Label, held: str) -> Figure:
     """Panels in the first profile; thin lines are shapes and moments in the other profile.
 
     ``held``: speed and direction that panel (a) states.
@@ -270,14 +271,14 @@ def _where_astern(astern: dict[float, tuple[float, float]]) -> str:
 def fig14(riser_length: xr.Dataset) -> Figure:
     """Shapes, moments and axial motions for three riser lengths."""
     lengths = (1800.0, 1500.0, 1200.0)  # the base case first, as in Figs 9 and 10
-    figure = towed_panels(riser_length, "riser_length", lengths, "riser {:g} m", AGAINST)
+    label = Label("riser", "{:g} m")
+    figure = towed_panels(riser_length, "riser_length", lengths, label, AGAINST)
     shapes, moments = figure.axes[:2]
-    for of_shape, of_moment in zip(shapes.lines, moments.lines, strict=True):
+    for length, of_shape, of_moment in zip(lengths, shapes.lines, moments.lines, strict=True):
         label_line(shapes, of_shape, 0.0, (-5.0, 0.0))
-        name = str(of_shape.get_label()).removeprefix("riser ")
         x = np.asarray(of_moment.get_xdata(), dtype=float)
         share = float(np.argmax(x[: len(x) // 2])) / (len(x) - 1)  # of the LMRP peak
-        label_line(moments, of_moment, share, (5.0, 0.0), name=name)
+        label_line(moments, of_moment, share, (5.0, 0.0), name=label.short(length))
     change = changes(riser_length, "riser_length", 1200.0, 1800.0)
     least = min(change, key=lambda name: change[name])
     verb = "decreases" if change[least] < 0.0 else "increases"

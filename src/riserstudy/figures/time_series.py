@@ -41,4 +41,4 @@ def _place(values: xr.DataArray) -> tuple[dict[str, int], str]:
     k = int(span.mean(others).fillna(-1.0).argmax(within))
     factor, unit = read_in(values[within].attrs.get("units", ""))
     at = factor * values[within][k].item()
-    return {within: k}, f"at {within} = {at:.4g} {unit}".removesuffix(" 1")
+    return {within: k}, f"at {within} = {at:.4g}{'' if unit == '1' else f' {unit}'}"

@@ -54,13 +54,16 @@ def above(view: View, geometry: Geometry) -> None:
     view.ax.axhline(0.0, color="0.8", linewidth=0.6, zorder=0.0)
     view.ax.axvline(0.0, color="0.8", linewidth=0.6, zorder=0.0)
     if rig and place:
-        for text, radius in (("ring", place.ring_radius), ("deck points", place.deck_radius)):
+        for text, of, radius in (
+            ("ring", "ring_radius", place.ring_radius),
+            ("deck points", "deck_radius", place.deck_radius),
+        ):
             turn = [2.0 * math.pi * k / 90 for k in range(91)]
             x, y = [radius * math.cos(a) for a in turn], [radius * math.sin(a) for a in turn]
             view.line(x, y, linewidth=0.8, color="0.5")
             at = (radius * math.cos(0.9), radius * math.sin(0.9))
-            of = f"top.tensioners.arrangement.{text.split()[0]}_radius"
-            view.name(f"{text}, radius {radius:.3g} m{geometry.mark(of)}", at)
+            mark = geometry.mark(f"top.tensioners.arrangement.{of}")
+            view.name(f"{text}, radius {radius:.3g} m{mark}", at)
         for bearing, works in zip(place.bearings(rig.count), rig.working, strict=True):
             c, s = math.cos(bearing), math.sin(bearing)
             radii = (place.ring_radius, place.deck_radius)
