@@ -29,9 +29,9 @@ file that includes each effect.
 Write each value with the unit of its source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`. The engine
 (simulation program) converts all values to SI units. The section [Units](#units) lists the unit names. The
 engine refuses a value without a unit if a unit is required. A rotational stiffness must have `/deg` or `/rad`
-in its unit, and a pressure `absolute` or `gauge` after its unit. The unit `t` (tonne) is a unit of mass; for
-a force, write `tf`. Elevations increase upwards from one datum of your choice. Arclengths along the riser
-start at its lower end.
+in its unit. A pressure must have `absolute` or `gauge` after its unit. The unit `t` (tonne) is a unit of
+mass; for a force, write `tf`. Elevations increase upwards from one datum of your choice. Arclengths along the
+riser start at its lower end.
 
 Every value of a scene has an origin, which states where the value comes from. A value without a stated origin
 is *published* if the scene has the key `paper`, and *given* otherwise. Any other origin is written together

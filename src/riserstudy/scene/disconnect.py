@@ -83,7 +83,7 @@ class Stack(Strict):
 
 
 class Disconnect(Strict):
-    """At a time of the run, the wellhead releases the lower end of the riser with the body at this end.
+    """Release of the riser's lower end, with the body at this end, from the wellhead during the run.
 
     With ``phase``, the disconnect is delayed until the platform's heave has this phase. The phase is 0 when
     the heave rises through its mean, and 90 deg at its maximum. With this key, the heave must be a single
