@@ -92,7 +92,9 @@ def envelope(
     seeds: Annotated[
         int | None,
         typer.Option(
-            min=5, help="number of runs of each sea, with different random phases; requires --sea; default: 5"
+            min=5,
+            help="number of runs of each sea in each current, with different random phases; requires --sea; "
+            "default: 5",
         ),
     ] = None,
     settings: SetOption = None,
@@ -104,9 +106,9 @@ def envelope(
     At each offset, the command computes the static equilibrium. To include a sea, the command adds an
     allowance to the static value of each output. If the limit is a smallest allowed value, the command
     subtracts the allowance instead. The allowance is the change due to waves that nine of ten random
-    realisations of the sea do not exceed. The command computes the allowance by simulations in the sea, with
-    the current and the offset of the scene. Limits on mean values have no allowance. The exit status is 4 if
-    a limit could not be evaluated.
+    realisations of the sea do not exceed. The command computes the allowance by simulations in the sea and
+    in each current, at the offset of the scene. Limits on mean values have no allowance. The exit status is 4
+    if a limit could not be evaluated.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)

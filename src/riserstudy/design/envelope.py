@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -53,20 +54,22 @@ def envelope(
     reach : largest offset of the search, to both sides of the well (m).
     currents : speeds of the current at the surface (m/s).
     seas : irregular seas; none: calm.
-    seeds : number of runs for each sea.
+    seeds : number of runs for each sea and current.
     notify : function that receives a description of the next run.
     """
     scene = file.resolved()
     limits = scene.limits or []
     moved(scene, 0.0)  # refuses a scene without an offset that can be changed
     with_speeds = [with_current(scene, speed) for speed in currents]
-    added = [allowances(file, sea, seeds, notify) for sea in seas] or [[Allowance(0.0)] * len(limits)]
     names_of_limits = labels(limits)
-    found = np.full((len(added), len(currents), len(limits), len(SIDES)), math.nan)
+    found = np.full((max(len(seas), 1), len(currents), len(limits), len(SIDES)), math.nan)
     lost = np.zeros(found.shape[:-1], bool)
     also = np.full(found.shape[:-1], math.nan)
     missing: dict[str, str] = {}
     for c, (speed, of) in enumerate(zip(currents, with_speeds, strict=True)):
+        change = partial(with_current, speed=speed)
+        added = [allowances(file, sea, seeds, notify, change) for sea in seas]
+        added = added or [[Allowance(0.0)] * len(limits)]
         notify(f"offsets in a current of {speed:g} m/s")
         for n, between in enumerate(_each(of, reach, added)):
             for k, one in enumerate(between):

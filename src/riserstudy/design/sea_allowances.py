@@ -23,7 +23,7 @@ from riserstudy.simulation.refine import run
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.run import finish, march
 from riserstudy.simulation.section_forces import shear
-from riserstudy.study.demand_in_sea import demand
+from riserstudy.study.demand_in_sea import demand_of_next_run
 from riserstudy.study.departures import departure, refuse_departures
 from riserstudy.study.in_sea import Sea, in_sea
 
@@ -43,26 +43,33 @@ class Allowance(NamedTuple):
 
 
 def allowances(
-    file: SceneFile, sea: Sea, seeds: int, notify: Callable[[str], None] = lambda _: None
+    file: SceneFile,
+    sea: Sea,
+    seeds: int,
+    notify: Callable[[str], None] = lambda _: None,
+    change: Callable[[Resolved], Resolved] = lambda scene: scene,
 ) -> list[Allowance]:
     """The addition of a sea to the demand of each limit, which nine seas in ten do not exceed.
 
     Each section has an addition of its own, the largest of its nodes, since other sections and nodes govern
-    at other offsets. Runs have the
-    current and the offset of the scene. Extremes of the seeds follow a Gumbel distribution. Limits on means
-    have no allowance. On a prescribed mesh and step that are too coarse for an output, its allowance is not
-    known. ``notify``: function that receives a description of the next run. Raises InputError when the scene
-    has no irregular sea, or the riser leaves its offset. Raises SimulationError when a run cannot be
-    completed.
+    at other offsets. Runs have the offset of the scene. Extremes of the seeds follow a Gumbel distribution.
+    Limits on means have no allowance. On a prescribed mesh and step that are too coarse for an output, its
+    allowance is not known. Raises InputError when the scene has no irregular sea, or the riser leaves its
+    offset. Raises SimulationError when a run cannot be completed.
+
+    Parameters
+    ----------
+    notify : function that receives a description of the next run.
+    change : change of the scene before the runs, such as another current.
     """
-    scene = file.resolved()
+    scene = change(file.resolved())
     refuse_departures(file.source, scene)
     if scene.vessel:
         raise departure(file.source, "vessel", "moves away from its offset", NO_VESSEL)
     runs = []
     for seed in range(seeds):
         notify(f"sea of {sea.height:g} m, {sea.period:g} s: seed {seed + 1} of {seeds}")
-        runs.append(_run(scene, in_sea(file, sea, seed + 1).resolved()))
+        runs.append(_run(scene, change(in_sea(file, sea, seed + 1).resolved())))
     return [_of_limit(scene, limit, runs) for limit in scene.limits or []]
 
 
@@ -146,7 +153,7 @@ def _of_limit(scene: Resolved, limit: Limit, runs: Sequence[Run]) -> Allowance:
 
 def allowance(added: FloatArray) -> float:
     """Addition that nine seas in ten do not exceed, from those of the seeds, (seeds,), same unit; >= 0."""
-    return max(demand(added, "largest", 1.0).value, 0.0)
+    return max(demand_of_next_run(added), 0.0)
 
 
 def _added(scene: Resolved, limit: Limit, of: Run) -> dict[str, float]:
