@@ -1,12 +1,13 @@
 r"""Bending of the pipe in space, exact for large rotations; torsion is free.
 
-The rotation vector that turns the direction of one segment into that of the next follows from the moments,
+The rotation vector that turns the direction of one segment into the direction of the next segment follows
+from the moments,
 
 .. math:: \theta_i = \frac{\varphi}{\sin\varphi}\; t_{i-1} \times t_i = \sum_j A_{ij} M_j,
 
 with the flexibility A of `bending`, the same in all directions. By the equilibrium of a segment, its shear
-force is :math:`Q_e = t_e \times (M_{e+1} - M_e) / \ell_e`. In a plane, both equations are those of
-`bending`.
+force is :math:`Q_e = t_e \times (M_{e+1} - M_e) / \ell_e`. In a plane, both equations reduce to the equations
+of `bending`.
 
 References
 ----------

@@ -153,7 +153,7 @@ class Detail(Strict):
 
 
 class Fatigue(Strict):
-    """Fatigue damage of details, by rainflow counting of stress and S-N curves (Palmgren and Miner).
+    """Fatigue damage of details, from stress cycles (rainflow counting), S-N curves and Miner's sum.
 
     The key ``angles`` is the number of places around the wall for which the engine computes damage. The first
     place is on the side of the positive x axis. Between two places, the damage can be larger than at both
