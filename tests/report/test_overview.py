@@ -5,8 +5,9 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from riserstudy.report.claims import VERDICTS
-from riserstudy.report.overview import findings, subject, totals
+from riserstudy.grading.summary import VERDICTS, totals
+from riserstudy.records.graded import Grounds, Share
+from riserstudy.report.overview import findings, subject
 
 CLAIM = SimpleNamespace(paper="paper", id="C1")
 OTHER = SimpleNamespace(paper="paper", id="C2")
@@ -49,9 +50,9 @@ def test_a_finding_without_a_figure_says_nothing_of_its_own():
 @pytest.mark.parametrize("seed", range(10))
 def test_the_totals_add_up_and_name_every_verdict_that_occurs(seed):
     rng = np.random.default_rng(seed)
-    grounds = [SimpleNamespace(because=because) for because in ("inputs", "too few samples")]
+    grounds = [Grounds(because=why, share=Share(8, 8, 8)) for why in ("inputs", "too few samples")]
     claims = [
-        SimpleNamespace(verdict=v, grounds=grounds[rng.integers(2)], samples=8, met=8)
+        (v, grounds[rng.integers(2)])
         for v in rng.choice([*VERDICTS][: rng.integers(1, len(VERDICTS) + 1)], 40)
     ]
     said = totals(claims)
@@ -62,10 +63,10 @@ def test_the_totals_add_up_and_name_every_verdict_that_occurs(seed):
     assert head == "Of 40 published values and claims"
     assert sum(others) == left
     assert sum(counts) + left == 40
-    few = sum(c.verdict == "depends" and c.grounds.because == "too few samples" for c in claims)
+    few = sum(verdict == "depends" and of.because == "too few samples" for verdict, of in claims)
     assert (f"{few} {'is' if few == 1 else 'are'} true in all samples" in said) == (few > 0)
-    left_out = [c for c in claims if c.verdict != "depends" or c.grounds.because == "inputs"]
-    assert len(counts) + len(others) == len({claim.verdict for claim in left_out}) + (few > 0)
+    left_out = {verdict for verdict, of in claims if verdict != "depends" or of.because == "inputs"}
+    assert len(counts) + len(others) == len(left_out) + (few > 0)
 
 
 def test_nothing_graded_has_no_totals():

@@ -7,7 +7,7 @@ import cf_xarray.units  # defines the notation of CF for pint
 import pint
 import pytest
 
-from riserstudy.report.wording import unit
+from riserstudy.records.units import after_number
 
 NAMES = ("m", "s", "kg", "N", "Pa", "rad", "kN", "Hz", "year", "MN", "J", "W")
 RAISED = str.maketrans("²³⁴⁵⁶⁷⁸⁹", "23456789")
@@ -35,7 +35,7 @@ def test_the_text_of_a_unit_is_that_unit(registry, seed):
     expected = registry.dimensionless
     for part, power in zip(parts, powers, strict=True):
         expected *= registry.Unit(part) ** power
-    text = unit(name)
+    text = after_number(name)
     assert text.startswith(" ")
     assert "-" not in text
     assert pint.Unit(as_formula(text)) == pint.Unit(str(expected))
@@ -46,9 +46,9 @@ def test_the_text_of_a_unit_is_that_unit(registry, seed):
 
 @pytest.mark.parametrize("name, text", [("", ""), ("1", ""), ("deg", "°"), ("degree", "°"), ("%", " %")])
 def test_units_without_powers(name, text):
-    assert unit(name) == text
+    assert after_number(name) == text
 
 
 @pytest.mark.parametrize("name", ["m-", "m0", "bar absolute 3", "hours since 2000-01-01", "m s**-1"])
 def test_what_is_not_in_this_notation_is_not_changed(name):
-    assert unit(name) == f" {name}"
+    assert after_number(name) == f" {name}"

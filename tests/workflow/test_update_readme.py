@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 import update_readme
-from riserstudy.report.claims import VERDICTS
+from riserstudy.grading.summary import VERDICTS
 
 ROOT = Path(__file__).parents[2]
 

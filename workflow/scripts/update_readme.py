@@ -7,8 +7,8 @@ import textwrap
 from collections import Counter
 from pathlib import Path
 
+from riserstudy.grading.summary import VERDICTS
 from riserstudy.records.words import listed
-from riserstudy.report.claims import VERDICTS
 
 ROOT = Path(__file__).resolve().parents[2]
 BEGIN = "<!-- {part}: python workflow/scripts/update_readme.py -->\n"

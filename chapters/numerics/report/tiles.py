@@ -22,8 +22,7 @@ from chapters.numerics.figures.scenes import in_one_line
 from chapters.numerics.figures.stability import ENDS, REFUSED, WRONG, ended
 from riserstudy.records.numerals import plain
 from riserstudy.records.page import Tile
-from riserstudy.records.words import listed
-from riserstudy.report.wording import sentence
+from riserstudy.records.words import listed, sentence
 
 if TYPE_CHECKING:
     import numpy as np

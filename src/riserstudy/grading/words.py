@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from typing import NamedTuple
 
 from riserstudy.grading.names import option_name
 from riserstudy.grading.verdict import ENOUGH
@@ -90,10 +91,15 @@ def decided_by(grounds: Grounds) -> str:
         cases = grounds.missing.cases
         return f"{cases} {'case' if cases == 1 else 'cases'} without a result"
     if grounds.because == "inputs":
-        names = [influence.name for influence in grounds.decided_by]
-        weak = grounds.explained is not None and grounds.explained < DECIDES
-        return listed(names) if names and not weak else NOT_ONE
+        names = deciding(grounds)
+        return listed(names) if names else NOT_ONE
     return ""
+
+
+def deciding(grounds: Grounds) -> list[str]:
+    """Names of the inputs that decide; empty if none, and no pair, explains most of the outcome."""
+    weak = grounds.explained is not None and grounds.explained < DECIDES
+    return [] if weak else [influence.name for influence in grounds.decided_by]
 
 
 def too_few(grounds: Grounds) -> str:
@@ -236,34 +242,44 @@ def _settled(settled: Settled | None) -> Iterator[str]:
 
 def _outcome(kind: Kind, unit: str, outcome: Outcome, together: Together | None) -> str:
     """The base case or a further case, with one or many cells; ``together``: judged with other values."""
-    values, finding = result_of(kind, unit, outcome, together)
-    are = "values are" if " to " in values else "value is"
-    return f"{outcome.name}: the {are} {values}; {finding}."
+    values, finding = values_of(unit, outcome), finding_of(kind, outcome, together)
+    return f"{outcome.name}: the {'values are' if values.several else 'value is'} {values.text}; {finding}."
 
 
-def result_of(kind: Kind, unit: str, outcome: Outcome, together: Together | None) -> tuple[str, str]:
-    """The value or the range of values of a case, and the finding; ``together`` as in ``Grounds``."""
+class Values(NamedTuple):
+    """The value or the range of values of a case, with its unit, and whether it is a range."""
+
+    text: str
+    several: bool
+
+
+def values_of(unit: str, outcome: Outcome) -> Values:
+    """The value or the range of values of a case; ends that have the same first digits are one value."""
+    ends = dict.fromkeys((_plain(outcome.low), _plain(outcome.high)))
+    return Values(f"{' to '.join(ends)}{_unit(unit)}", len(ends) > 1)
+
+
+def finding_of(kind: Kind, outcome: Outcome, together: Together | None) -> str:
+    """The finding about a case; ``together`` as in ``Grounds``."""
     true, false = HIT[kind]
     judged = JUDGED[kind]
-    ends = dict.fromkeys((_plain(outcome.low), _plain(outcome.high)))
-    values = f"{' to '.join(ends)}{_unit(unit)}"
     if outcome.readings:
         found = by_reading(kind, outcome.readings)
         if all(reading.answer == "depends" for reading in outcome.readings):
-            return values, found  # has a subject for each interpretation
-        return values, f"{judged} {found}"
+            return found  # has a subject for each interpretation
+        return f"{judged} {found}"
     share = outcome.share
     if share is not None and share.samples > 1:
         by = f", depending most on {listed(outcome.decided_by)}" if outcome.decided_by else ""
-        return values, f"{judged} {share_of(share, true)}{by}"
+        return f"{judged} {share_of(share, true)}{by}"
     same, met = (outcome.same, outcome.met) if share is None else (share.same, share.met)
     if same and not met:
-        return values, "the compared values are nearly equal"
+        return "the compared values are nearly equal"
     if together is not None:
         others = f"{'value' if len(together.others) == 1 else 'values'} {listed(together.others)}"
         met_all = "are all met" if met else "are not all met"
-        return values, f"with the same inputs, this published value and the {others} {met_all}"
-    return values, f"{judged} {true if met else false}"
+        return f"with the same inputs, this published value and the {others} {met_all}"
+    return f"{judged} {true if met else false}"
 
 
 def _unit(unit: str) -> str:

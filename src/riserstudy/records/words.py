@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable
 
 
@@ -14,3 +15,9 @@ def listed(words: Iterable[str]) -> str:
 def counted(count: int, thing: str, written: Callable[[int], str] = str) -> str:
     """Return a count with its noun: ``1 seed``, ``26280 rows``; ``written`` gives the digits."""
     return f"{written(count)} {thing}" if count == 1 else f"{written(count)} {thing}s"
+
+
+def sentence(text: str) -> str:
+    """Return a text with a capital at its start and a full stop at its end; a symbol at its start stays."""
+    symbol = re.match(r"(?!a\b)([a-z]|nu|phi|pi|rho)\b|[A-Za-z]\w*_", text)
+    return (text if symbol else text[:1].upper() + text[1:]).rstrip(".") + "."

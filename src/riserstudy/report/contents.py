@@ -11,9 +11,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from riserstudy.database.ask import connect
+from riserstudy.grading.summary import VERDICTS, totals
 from riserstudy.report import audit
 from riserstudy.report.animation import animation
-from riserstudy.report.claims import VERDICTS, Claim, read_claims
+from riserstudy.report.claims import Claim, read_claims
 from riserstudy.report.curves import curves
 from riserstudy.report.false_claims import false_claims
 from riserstudy.report.limits import LimitTable, limit_tables
@@ -21,7 +22,7 @@ from riserstudy.report.machine import made_on
 from riserstudy.report.motion import Motion, motion_of
 from riserstudy.report.moving_riser import moving_riser
 from riserstudy.report.of_chapters import section_of, tiles_of
-from riserstudy.report.overview import amounts, bars, findings, short_of, subject, title_of, totals
+from riserstudy.report.overview import amounts, bars, findings, short_of, subject, title_of
 from riserstudy.report.pictures import Figure, Picture, claims_by_figure, heading, labels, picture_of
 from riserstudy.report.scenes import SceneTable, scene_tables
 from riserstudy.study.models import StudyFile
@@ -111,7 +112,7 @@ def contents(sources: Sources) -> dict[str, Any]:
         if (motion := _motion(paper, file, datasets)) is not None
     }
     return {
-        "totals": totals(claims),
+        "totals": totals([(claim.verdict, claim.grounds) for claim in claims]),
         "moving_riser": moving_riser(motions.items()),
         "subject": subject(files, claims),
         "bars": bars(claims, files),

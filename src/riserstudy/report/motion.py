@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from riserstudy.dataset.provenance import scene_of_point
 from riserstudy.dataset.title import caption_of
 from riserstudy.figures.grid import evenly_spaced
-from riserstudy.report.wording import unit
+from riserstudy.records.units import after_number
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS
 from riserstudy.scene.resolve import Resolved
 from riserstudy.schematic.geometry import Geometry
@@ -119,7 +119,7 @@ def _with_unit(axis: xr.DataArray, value: Any) -> str:
     """Return a place on an axis as text, a number with its unit."""
     if axis.dtype.kind != "f":
         return str(value)
-    return f"{float(value):g}{unit(axis.attrs.get('units', ''))}"
+    return f"{float(value):g}{after_number(axis.attrs.get('units', ''))}"
 
 
 def _rest(run: xr.Dataset, geometry: Geometry, s: Array) -> tuple[Array, Array]:

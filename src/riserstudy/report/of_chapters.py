@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from riserstudy.chapters import function_of
 from riserstudy.records.page import Section, Tile
+from riserstudy.records.words import sentence
 from riserstudy.report.pictures import Figure
-from riserstudy.report.wording import sentence
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -2,38 +2,15 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from typing import NamedTuple
 
-from riserstudy.records.words import listed
+from riserstudy.records.words import sentence
 from riserstudy.report.claims import Claim, counted_verdicts
 from riserstudy.report.pictures import Figure
-from riserstudy.report.wording import counted, sentence
+from riserstudy.report.wording import counted
 from riserstudy.study.models import StudyFile
 
 WORDS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine")
-#: verdict of a claim that is true in all samples, of which there are too few
-TOO_FEW = "too few samples"
-#: words for one and for several verdicts
-PLURALS = {
-    "reproduced": ("is reproduced", "are reproduced"),
-    "holds": ("holds", "hold"),
-    TOO_FEW: (
-        "is true in all samples, but the samples are too few for the verdict “holds”",
-        "are true in all samples, but the samples are too few for the verdict “holds”",
-    ),
-    "fails": ("fails", "fail"),
-    "depends": (
-        "can be neither confirmed nor refuted, because it depends on omitted inputs or on an interpretation",
-        "can be neither confirmed nor refuted, because they depend on omitted inputs or on an interpretation",
-    ),
-    "calibrated": ("is met with a fitted input", "are met with a fitted input"),
-    "not comparable": ("has another definition in the paper", "have other definitions in the papers"),
-    "not reproducible": ("cannot be checked", "cannot be checked"),
-}
-#: verdicts in the first sentence, and verdicts with a sentence of their own
-FIRST = ("reproduced", "holds", "fails", "depends")
-APART = (TOO_FEW,)
 
 
 class Bar(NamedTuple):
@@ -95,35 +72,6 @@ def bars(claims: list[Claim], files: dict[str, StudyFile]) -> list[Bar]:
         )
         for paper in papers
     ]
-
-
-def totals(claims: list[Claim]) -> str:
-    """Return the verdicts about all numbers and claims; "" if none is graded.
-
-    Claims that "depend" only because their samples are too few are named apart.
-    """
-    if not claims:
-        return ""
-    counts = Counter(TOO_FEW if _true_in_too_few(claim) else claim.verdict for claim in claims)
-    order = sorted(counts, key=[*PLURALS, *counts].index)
-    parts = {v: f"{counts[v]} {PLURALS[v][counts[v] > 1] if v in PLURALS else v}" for v in order}
-    first = [verdict for verdict in order if verdict in FIRST] or order[:1]
-    apart = [verdict for verdict in order if verdict in APART and verdict not in first]
-    rest = [verdict for verdict in order if verdict not in (*first, *apart)]
-    sentences = [f"Of {len(claims)} published values and claims, {listed(parts[v] for v in first)}."]
-    sentences += [f"{parts[verdict]}." for verdict in apart]
-    if rest:
-        left = sum(counts[verdict] for verdict in rest)
-        sentences.append(f"Of the remaining {left}, {listed(parts[v] for v in rest)}.")
-    if counts[TOO_FEW]:
-        sentences.append("The tier standard (make study) has more samples.")
-    return " ".join(sentences)
-
-
-def _true_in_too_few(claim: Claim) -> bool:
-    """Whether all samples agree with a claim, but are too few for its verdict."""
-    few = claim.verdict == "depends" and claim.grounds.because == "too few samples"
-    return few and claim.samples is not None and claim.met == claim.samples > 0
 
 
 def title_of(files: dict[str, StudyFile], paper: str) -> str:

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from riserstudy.grading.models import PrintedInput
 from riserstudy.grading.printed import printed_as, printed_inputs
+from riserstudy.records.units import after_number
 from riserstudy.records.words import counted, listed
-from riserstudy.report.wording import unit
 from riserstudy.scene.origin import CALLED
 from riserstudy.scene.paths import last_name, within
 from riserstudy.study.axes import Numbers
@@ -162,7 +162,7 @@ def _varied(dataset: xr.Dataset) -> list[str]:
             has = "the value" if len(values) == 1 else f"{len(values)} values, from"
             if len(values) == 2:
                 has, ends = "the values", ends.replace(" to ", " and ")
-            words.append(f"“{name}” has {has} {ends}{unit(of)}.")
+            words.append(f"“{name}” has {has} {ends}{after_number(of)}.")
         elif values.dtype.kind in "iu":
             are = "is" if len(values) == 1 else "are"
             words.append(f"{counted(len(values), 'sample')} of the unspecified inputs {are} simulated.")

@@ -11,10 +11,9 @@ from markupsafe import Markup, escape
 
 from riserstudy.records import words
 from riserstudy.records.numerals import duration
-from riserstudy.records.words import listed
+from riserstudy.records.units import after_number
+from riserstudy.records.words import listed, sentence
 
-DEGREES = ("deg", "degree")
-RAISED = str.maketrans("23456789", "²³⁴⁵⁶⁷⁸⁹")
 _DOI = re.compile(r"\b10\.\d{4,9}/[^\s,;<>&]*[^\s,;.<>&]")
 _NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?(?![\w.])", re.IGNORECASE)
 
@@ -49,37 +48,9 @@ def spaced(count: int) -> str:
     return f"{count:,}".replace(",", "\u00a0") if abs(count) >= 10_000 else str(count)
 
 
-def sentence(text: str) -> str:
-    """Return a text with a capital at its start and a full stop at its end; a symbol at its start stays."""
-    symbol = re.match(r"(?!a\b)([a-z]|nu|phi|pi|rho)\b|[A-Za-z]\w*_", text)
-    return (text if symbol else text[:1].upper() + text[1:]).rstrip(".") + "."
-
-
 def with_links(text: str) -> Markup:
     """Return a text whose DOIs are links."""
     return Markup(_DOI.sub(lambda m: f'<a href="https://doi.org/{m[0]}">{m[0]}</a>', str(escape(text))))
-
-
-def unit(name: str) -> str:
-    """Return a unit as written after a number, as in `` m/s`` for ``m s-1``; empty for a pure number.
-
-    No library writes it so: pint sorts the factors by letters, and a moment in ``m·N`` reads as millinewton;
-    it also refuses names such as ``bar absolute``. The notation has three parts, hence these few lines.
-    """
-    if name in ("", "1"):
-        return ""
-    if name in DEGREES:
-        return "°"
-    above: list[str] = []
-    below: list[str] = []
-    for part in name.split():
-        factor = re.fullmatch(r"([A-Za-z]+)(-?)(|[1-9])", part)
-        if factor is None or (factor[2] and not factor[3]):
-            return f" {name}"
-        power = factor[3].replace("1", "").translate(RAISED)
-        (below if factor[2] else above).append(factor[1] + power)
-    under = f"({' '.join(below)})" if len(below) > 1 else "".join(below)
-    return f" {' '.join(above) or '1'}" + (f"/{under}" if below else "")
 
 
 def grouped(warnings: Iterable[str]) -> list[tuple[str, list[str], int]]:
@@ -114,6 +85,6 @@ WORDING: dict[str, Callable[..., object]] = {
     "counted": counted,
     "listed": listed,
     "sentence": sentence,
-    "unit": unit,
+    "unit": after_number,
     "with_links": with_links,
 }
