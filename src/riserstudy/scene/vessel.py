@@ -114,7 +114,7 @@ class Yaw(Strict):
 
 
 class Coupling(Strict):
-    """Platform and riser solved alternately, over intervals.
+    """Alternate solution of platform and riser, over intervals of time.
 
     With ``staggered``, the platform first moves over each interval under the riser's force at the start of
     the interval. The engine then simulates the riser with the computed motion of the platform. With
