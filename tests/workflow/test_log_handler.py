@@ -11,6 +11,7 @@ from snakemake_interface_logger_plugins.common import LogEvent
 
 from riserstudy.jobs import log_handler
 from riserstudy.jobs.log_handler import LogHandler, LogHandlerSettings
+from riserstudy.jobs.step_times import StepName
 
 
 @pytest.fixture
@@ -27,14 +28,18 @@ def record(event=None, message=None, level=logging.INFO, **facts):
     return made
 
 
-def begin(handler, job, rule, message):
-    handler.emit(record(LogEvent.JOB_INFO, jobid=job, rule_name=rule, rule_msg=message))
+STUDY = {"paper": "paper", "study": "one"}
+
+
+def begin(handler, job, rule, message, wildcards=None, log=()):
+    about = {"jobid": job, "rule_name": rule, "rule_msg": message, "wildcards": wildcards, "log": [*log]}
+    handler.emit(record(LogEvent.JOB_INFO, **about))
 
 
 def test_steps_are_counted_and_their_times_remembered(handler, capsys):
     handler.emit(record(LogEvent.RESOURCES_INFO, cores=3))
     handler.emit(record(LogEvent.RUN_INFO, stats={"simulate": 1, "all": 1, "total": 2}))
-    begin(handler, 4, "simulate", "simulate paper/one")
+    begin(handler, 4, "simulate", "simulate paper/one", STUDY)
     handler.emit(record(LogEvent.JOB_FINISHED, job_id=4))
     begin(handler, 0, "all", None)
     handler.emit(record(LogEvent.JOB_FINISHED, job_id=0))
@@ -45,7 +50,17 @@ def test_steps_are_counted_and_their_times_remembered(handler, capsys):
     assert out.endswith(" on 3 cores\n")
     assert not error
     again = LogHandler(SimpleNamespace(dryrun=False), LogHandlerSettings(tier="preview"))
-    assert set(again._progress.before["preview"]) == {"simulate paper/one", "all"}
+    assert set(again._progress.before["preview"]) == {StepName.of("simulate", STUDY), StepName("all")}
+
+
+def test_a_rule_of_a_user_with_the_words_of_a_study_is_none(handler, tmp_path):
+    """A step is known by rule and wildcards, and its points by its log, whatever its message and paths."""
+    (tmp_path / "mine.log").write_text("12 of 40 points\n")
+    begin(handler, 4, "mine", "simulate paper/one, part 2 of 4", {"what": "one"}, ["mine.log"])
+    begin(handler, 5, "simulate", "Run “one”: 3 of 4 points", STUDY, ["mine.log"])
+    begin(handler, 6, "silent", None)
+    at_work = "simulate paper/one, part 2 of 4, Run “one”: 3 of 4 points (12 of 40 points), silent"
+    assert handler._progress.text().endswith(f": {at_work}")
 
 
 def test_a_log_gets_a_line_only_for_a_change(handler, capsys, monkeypatch):

@@ -1,14 +1,28 @@
 """What a run of the study says of itself, from what Snakemake reports and from the logs of its jobs."""
 
-import json
 import re
 from pathlib import Path
 
 import pytest
 
-from riserstudy.jobs.progress import COUNTED, FIRST, Progress, lasting
+from riserstudy.jobs.progress import COUNTED, Progress, lasting
+from riserstudy.jobs.step_times import StepName, first_times
 
+ONE, TWO = StepName.of_study("paper/one"), StepName.of_study("paper/two")
+FIGURE = StepName.of("figure", {"paper": "paper", "figure": "fig01"})
 PLANNED = {"simulate": 2, "figure": 1, "total": 3}
+
+
+def begin(progress, job, name):
+    """Begin a step with words and log as in the rules of the workflow."""
+    of = dict(name.wildcards)
+    if name.rule == "figure":
+        words, log = f"draw {of['paper']}/{of['figure']}", f"logs/paper/draw_{of['figure']}.log"
+    else:
+        part = f"{of['shard']} of {of['shards']}" if "shard" in of else ""
+        words = f"simulate {name.study}" + (f", part {part}" if part else "")
+        log = f"logs/{name.study}{'.' + part.replace(' ', '-') if part else ''}.log"
+    progress.begin(job, name, words, Path(log))
 
 
 class Clock:
@@ -36,8 +50,8 @@ def run(tmp_path, monkeypatch):
 def test_steps_points_and_cores_are_told(run):
     new, clock = run
     progress = new()
-    progress.begin(3, "simulate paper/one")
-    progress.begin(4, "draw paper/fig01")
+    begin(progress, 3, ONE)
+    begin(progress, 4, FIGURE)
     clock.now += 5.0
     said = progress.text()
     assert re.match(r"\d+ %, no step done, 5 s, about ", said)
@@ -46,7 +60,7 @@ def test_steps_points_and_cores_are_told(run):
     log.parent.mkdir(parents=True)
     log.write_text("1 of 40 points\n12 of 40 points\n")
     assert "simulate paper/one (12 of 40 points)" in progress.text()
-    progress.end(3, "simulate")
+    progress.end(3)
     progress.steps = "1 of 3 steps"
     assert re.match(r"\d+ %, 1 of 3 steps done, 5 s, about ", progress.text())
 
@@ -54,7 +68,7 @@ def test_steps_points_and_cores_are_told(run):
 def test_a_part_of_a_study_has_a_log_of_its_own(run):
     new, _ = run
     progress = new()
-    progress.begin(3, "simulate paper/one, part 2 of 4")
+    begin(progress, 3, StepName.of_study("paper/one", 2, 4))
     log = Path("logs/paper/one.2-of-4.log")
     log.parent.mkdir(parents=True)
     log.write_text("3 of 10 points\n")
@@ -64,25 +78,21 @@ def test_a_part_of_a_study_has_a_log_of_its_own(run):
 def test_time_left_is_that_of_the_last_run(run):
     new, clock = run
     first = new()
-    for job, message, rule, seconds in (
-        ("1", "simulate paper/one", "simulate", 60.0),
-        ("2", "simulate paper/two", "simulate", 20.0),
-        ("3", "draw paper/fig01", "figure", 4.0),
-    ):
-        first.begin(job, message)
+    for job, name, seconds in ((1, ONE, 60.0), (2, TWO, 20.0), (3, FIGURE, 4.0)):
+        begin(first, job, name)
         clock.now += seconds
-        first.end(job, rule)
+        first.end(job)
     assert first.seconds_left() is None  # nothing is left
     first.remember()
 
     second = new()  # one after the other, as the first: on two cores, of which one may have been idle
     assert second.seconds_left() == pytest.approx(60.0 + 20.0 + 4.0)
-    second.begin(7, "simulate paper/one")
+    begin(second, 7, ONE)
     clock.now += 15.0
     assert second.seconds_left() == pytest.approx(45.0 + 20.0 + 4.0)
     clock.now += 500.0  # slower than it was: no less than nothing of it is left
     assert second.seconds_left() == pytest.approx(20.0 + 4.0)
-    second.end(7, "simulate")  # so much slower tells nothing of the others
+    second.end(7)  # so much slower tells nothing of the others
     assert second.seconds_left() == pytest.approx(20.0 + 4.0)
     assert "about 24 s left" in second.text()
 
@@ -103,17 +113,13 @@ def test_time_left_of_a_step_at_work_follows_its_own_points(run, share, seconds)
     """Half of the points in 10 s leave 10 s for the others; other steps are as much slower or quicker."""
     new, clock = run
     first = new()
-    for job, message, rule in (
-        ("1", "simulate paper/one", "simulate"),
-        ("2", "simulate paper/two", "simulate"),
-        ("3", "draw paper/fig01", "figure"),
-    ):
-        first.begin(job, message)
+    for job, name in ((1, ONE), (2, TWO), (3, FIGURE)):
+        begin(first, job, name)
         clock.now += 60.0
-        first.end(job, rule)
+        first.end(job)
     first.remember()
     second = new()
-    second.begin(7, "simulate paper/one")
+    begin(second, 7, ONE)
     clock.now += seconds
     log = Path("logs/paper/one.log")
     log.parent.mkdir(parents=True)
@@ -138,10 +144,10 @@ def test_per_cent_grows_to_a_hundred_only_with_nothing_left(run):
 def test_a_log_has_a_new_line_only_for_a_change(run):
     new, clock = run
     progress = new()
-    progress.begin(3, "simulate paper/one")
+    begin(progress, 3, ONE)
     before = progress.state()
     assert progress.state() == before
-    progress.begin(4, "draw paper/fig01")
+    begin(progress, 4, FIGURE)
     assert progress.state() != before
 
 
@@ -150,12 +156,12 @@ def test_a_first_run_takes_the_times_that_come_with_the_project(run, tmp_path):
     (tmp_path / "points.json").write_text('{"paper/one": [1000, 1], "paper/two": [10, 1]}')
     progress = new()
     of = progress.first
-    whole = 2 * of["a_step"]["simulate"] + 1010 * of["a_point"]["simulate"] + of["a_step"]["figure"]
+    whole = 2 * of.a_step["simulate"] + 1010 * of.a_point["simulate"] + of.a_step["figure"]
     assert progress.seconds_left() == pytest.approx(whole / 2)
-    progress.begin(3, "simulate paper/one")
+    begin(progress, 3, ONE)
     clock.now += 40.0
-    progress.end(3, "simulate")
-    small = of["a_step"]["simulate"] + 10 * of["a_point"]["simulate"] + of["a_step"]["figure"]
+    progress.end(3)
+    small = of.a_step["simulate"] + 10 * of.a_point["simulate"] + of.a_step["figure"]
     assert "about" in progress.text()
     # what this run had of a rule is in its memory only once it has ended
     assert progress.seconds_left() == pytest.approx(small / 2)
@@ -164,7 +170,7 @@ def test_a_first_run_takes_the_times_that_come_with_the_project(run, tmp_path):
 def test_every_rule_has_a_time_for_a_first_run():
     rules = (Path(__file__).parents[2] / "workflow").glob("rules/*.smk")
     named = {name for file in rules for name in re.findall(r"^rule (\w+):", file.read_text(), re.M)}
-    assert named - {"figures"} <= json.loads(FIRST.read_text())["a_step"].keys()
+    assert named - {"figures"} <= first_times().a_step.keys()
 
 
 def test_a_tier_that_never_ran_is_told_by_points_from_another(run, tmp_path):
@@ -172,40 +178,46 @@ def test_a_tier_that_never_ran_is_told_by_points_from_another(run, tmp_path):
     planned = tmp_path / "points.json"
     planned.write_text('{"paper/one": [4, 1], "paper/two": [2, 1]}')
     preview = new()
-    for job, message, rule, seconds in (
-        ("1", "simulate paper/one", "simulate", 8.0),
-        ("2", "simulate paper/two", "simulate", 2.0),
-        ("3", "draw paper/fig01", "figure", 5.0),
-    ):
-        preview.begin(job, message)
+    for job, name, seconds in ((1, ONE, 8.0), (2, TWO, 2.0), (3, FIGURE, 5.0)):
+        begin(preview, job, name)
         clock.now += seconds
-        preview.end(job, rule)
+        preview.end(job)
     preview.remember()
 
     # ten times the points, and as many
     planned.write_text('{"paper/one": [40, 1], "paper/two": [2, 1]}')
     standard = new("standard")
-    fixed = standard.first["a_step"]["simulate"]  # which other points do not change
+    fixed = standard.first.a_step["simulate"]  # which other points do not change
     whole = fixed + (2.0 * 8.0 - fixed) * 10 + 2.0 * (2.0 + 5.0)
     assert standard.seconds_left() == pytest.approx(whole / 2)
-    standard.begin(7, "simulate paper/one, part 1 of 4")
+    begin(standard, 7, StepName.of_study("paper/one", 1, 4))
     clock.now += 3.0
     assert standard.seconds_left() == pytest.approx(whole / 2)  # a part is not known
 
 
-@pytest.mark.parametrize("damaged", ["{ broken", "[]", '{"preview": {"simulate paper/one": 3}}'])
+BEFORE = '{"preview": {"simulate paper/one": ["simulate", 60.0, 1.0], "abcd": "abcd"}}'  # by messages
+ENDLESS = '{"preview": [["simulate", {"paper": "paper", "study": "one"}, 60.0, 0]]}'  # seconds of no point
+
+
+@pytest.mark.parametrize("damaged", ["{ broken", "[]", '{"preview": [["simulate", 3]]}', BEFORE, ENDLESS])
 def test_a_damaged_memory_is_none(run, tmp_path, damaged):
     new, _ = run
     (tmp_path / "steps.json").write_text(damaged)
     assert new().seconds_left() > 0.0  # as in a first run
+    progress = new()
+    begin(progress, 3, ONE)
+    progress.end(3)
+    progress.remember()
+    assert set(new().before) == {"preview"}
+    assert set(new().before["preview"]) == {ONE}
 
 
 def test_a_memory_that_cannot_be_written_ends_no_run(run, tmp_path):
     _, clock = run
     (tmp_path / "steps").write_text("a file, not a folder")
     progress = Progress("preview", tmp_path / "steps/steps.json", clock, tmp_path / "points.json")
-    progress.begin(3, "simulate paper/one")
-    progress.end(3, "simulate")
+    begin(progress, 3, ONE)
+    progress.end(3)
     progress.remember()
     assert not (tmp_path / "steps/steps.json").exists()
 
@@ -213,7 +225,7 @@ def test_a_memory_that_cannot_be_written_ends_no_run(run, tmp_path):
 def test_a_failed_step_is_no_longer_at_work(run):
     new, _ = run
     progress = new()
-    progress.begin(3, "simulate paper/one")
+    begin(progress, 3, ONE)
     progress.fail(3)
     assert "simulate" not in progress.text()
 

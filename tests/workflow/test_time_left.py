@@ -10,7 +10,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from riserstudy.jobs.progress import FIRST, Progress
+from riserstudy.jobs.points_done import PointsDone
+from riserstudy.jobs.progress import Progress
+from riserstudy.jobs.step_times import StepName, first_times
 
 CORES = 2
 LOOK = 10.0  # s between looks
@@ -28,21 +30,21 @@ class Clock:
 
 
 def steps_of_a_run(seed, speed):
-    """Message, rule and core seconds of every step, in order: kernels, studies, what reads them."""
-    first = json.loads(FIRST.read_text("utf-8"))
+    """Name and core seconds of every step, in order: kernels, studies, what reads them."""
+    first = first_times()
     draw = np.random.default_rng(seed)
-    every = [(m, rule, seconds) for m, (rule, seconds, _) in first["steps"].items()]
-    compiled = [step for step in every if step[1] == "compile"]
-    others = [step for step in every if step[1] != "compile"]
+    every = [(name, taken.seconds) for name, taken in first.steps.items()]
+    compiled = [step for step in every if step[0].rule == "compile"]
+    others = [step for step in every if step[0].rule != "compile"]
     draw.shuffle(others)
     readers = [
-        (f"{rule} paper/{k}", rule, first["a_step"][rule])
+        (StepName.of(rule, {"paper": "paper", "study": k}), first.a_step[rule])
         for rule, count in OTHERS.items()
         for k in range(count)
     ]
     return [
-        (message, rule, seconds * speed * draw.lognormal(-(SCATTER**2) / 2.0, SCATTER))
-        for message, rule, seconds in (*compiled, *others, *readers)
+        (name, seconds * speed * draw.lognormal(-(SCATTER**2) / 2.0, SCATTER))
+        for name, seconds in (*compiled, *others, *readers)
     ]
 
 
@@ -52,49 +54,50 @@ def looks(progress, clock, steps, points, together):
     at_work, said, look = {}, [], 0.0
     while waiting or at_work:
         while waiting and len(at_work) < together:
-            job, (message, rule, seconds) = waiting.pop(0)
-            progress.begin(job, message)
-            at_work[job] = [message, rule, seconds, seconds]
+            job, (name, seconds) = waiting.pop(0)
+            progress.begin(job, name, log=log_of(name))
+            at_work[job] = [name, seconds, seconds]
         rate = CORES / len(at_work)
         until_end = min(left for *_, left in at_work.values()) / rate
         ahead = min(until_end, look - clock.now)
         clock.now += ahead
         for step in at_work.values():
-            step[3] -= ahead * rate
+            step[2] -= ahead * rate
         if clock.now >= look:
             tell_points(at_work.values(), points)
             said.append((clock.now, progress.seconds_left()))
             look += LOOK
-        for job in [j for j, step in at_work.items() if step[3] <= 1e-9]:
-            progress.end(job, at_work.pop(job)[1])
+        for job in [j for j, step in at_work.items() if step[2] <= 1e-9]:
+            del at_work[job]
+            progress.end(job)
     return said
+
+
+def log_of(name):
+    """The log of a step."""
+    return Path(f"logs/{name.study}.log") if name.study else None
 
 
 def tell_points(at_work, points):
     """Write into the logs of studies at work how many of their points are done."""
-    for message, rule, seconds, left in at_work:
-        if rule == "simulate":
-            study = message.removeprefix("simulate ")
-            log = Path(f"logs/{study}.log")
+    for name, seconds, left in at_work:
+        if name.rule == "simulate":
+            log = log_of(name)
             log.parent.mkdir(parents=True, exist_ok=True)
-            of = round(points[study])
-            log.write_text(f"{int(of * (1.0 - left / seconds))} of {of} points\n")
+            of = round(points[name.study])
+            log.write_text(f"{PointsDone(int(of * (1.0 - left / seconds)), of)}\n")
 
 
 def planned(path):
     """Points of the studies of the recorded run, left where a plan leaves them."""
-    first = json.loads(FIRST.read_text("utf-8"))
-    points = {
-        message.removeprefix("simulate "): count
-        for message, (rule, _, count) in first["steps"].items()
-        if rule == "simulate"
-    }
+    steps = first_times().steps
+    points = {name.study: taken.points for name, taken in steps.items() if name.rule == "simulate"}
     path.write_text(json.dumps({study: (count, 1) for study, count in points.items()}))
     return points
 
 
 def counts(steps):
-    rules = [rule for _, rule, _ in steps]
+    rules = [name.rule for name, _ in steps]
     return {rule: rules.count(rule) for rule in rules}
 
 
@@ -142,23 +145,22 @@ def test_a_study_in_shards_is_right_after_three_of_them(tmp_path, monkeypatch, s
     """A million points that no run had, in 50 jobs: whatever a point takes, shards tell the rest."""
     monkeypatch.chdir(tmp_path)
     (tmp_path / "points.json").write_text('{"mine/grid": [1000000, 50], "mine/other": [40, 1]}')
-    first = json.loads(FIRST.read_text("utf-8"))
     draw = np.random.default_rng(seed)
     steps = [
-        (f"simulate mine/grid, part {k} of 50", "shard", 2e4 * seconds * draw.lognormal(0.0, 0.1))
+        (StepName.of_study("mine/grid", k, 50), 2e4 * seconds * draw.lognormal(0.0, 0.1))
         for k in draw.permutation(50)
     ]
-    steps += [("simulate mine/other", "simulate", 3.0)]
-    steps += [("simulate mine/grid", "simulate", 1e6 * first["a_point"]["join"])]
+    steps += [(StepName.of_study("mine/other"), 3.0)]
+    steps += [(StepName.of_study("mine/grid"), 1e6 * first_times().a_point["join"])]
     clock = Clock()
     progress = Progress("standard", tmp_path / "steps.json", clock, tmp_path / "points.json")
     progress.plan(counts(steps))
     progress.cores = CORES
     wrong = []
-    for job, (message, rule, lasts) in enumerate(steps):
-        progress.begin(job, message)
+    for job, (name, lasts) in enumerate(steps):
+        progress.begin(job, name)
         clock.now += lasts / CORES
-        progress.end(job, rule)
+        progress.end(job)
         if job >= 2:
             left = sum(of for *_, of in steps[job + 1 :]) / CORES
             said = progress.seconds_left() or 0.0

@@ -11,27 +11,30 @@ import json
 import sys
 from pathlib import Path
 
-from riserstudy.jobs.progress import FIRST, MEMORY, Taken
+from riserstudy.jobs.progress import MEMORY, RECORDED
+from riserstudy.jobs.step_times import FIRST, Taken, lines_of, remembered
 
 ONE_BY_ONE = ("compile", "simulate", "measure")  # rules whose steps have very different times
 
 
-def main(memory: Path) -> None:
+def main(memory: Path, target: Path = FIRST) -> None:
     """Replace the times of single steps, and the mean times of the other rules of the run."""
-    steps = {m: Taken(*of) for m, of in json.loads(memory.read_text("utf-8"))["standard"].items()}
-    first = json.loads(FIRST.read_text("utf-8"))
-    for rule in {of.rule for of in steps.values()} - {*ONE_BY_ONE, "all"}:
-        times = [of.seconds for of in steps.values() if of.rule == rule]
+    steps = remembered(memory).get(RECORDED)
+    if not steps:
+        sys.exit(f"{memory} has no times of the tier {RECORDED}; run `make study` first")
+    first = json.loads(target.read_text("utf-8"))
+    for rule in {name.rule for name in steps} - {*ONE_BY_ONE, "all"}:
+        times = [taken.seconds for name, taken in steps.items() if name.rule == rule]
         first["a_step"][rule] = round(sum(times) / len(times), 2)
-    first["steps"] = {
-        message: [of.rule, round(of.seconds, 1), of.points]
-        for message, of in sorted(steps.items())
-        if of.rule in ONE_BY_ONE
+    single = {
+        name: Taken(round(taken.seconds, 1), taken.points)
+        for name, taken in sorted(steps.items())
+        if name.rule in ONE_BY_ONE
     }
-    *rows, last = (f"    {json.dumps(m)}: {json.dumps(of)}" for m, of in first["steps"].items())
+    rows = ",\n".join(f"    {json.dumps(line)}" for line in lines_of(single))
     parts = [f"  {json.dumps(key)}: {json.dumps(first[key])}" for key in ("about", "a_step", "a_point")]
-    parts.append('  "steps": {\n' + ",\n".join([*rows, last]) + "\n  }")
-    FIRST.write_text("{\n" + ",\n".join(parts) + "\n}\n", "utf-8")
+    parts.append(f'  "steps": [\n{rows}\n  ]')
+    target.write_text("{\n" + ",\n".join(parts) + "\n}\n", "utf-8")
 
 
 if __name__ == "__main__":

@@ -16,6 +16,7 @@ from snakemake_interface_logger_plugins.common import LogEvent
 from snakemake_interface_logger_plugins.settings import LogHandlerSettingsBase
 
 from riserstudy.jobs.progress import Progress
+from riserstudy.jobs.step_times import StepName
 
 ON_TERMINAL, IN_LOG = 1.0, 10.0  # time between updates of the progress (s)
 LOG_TAIL = 25  # lines
@@ -43,7 +44,6 @@ class LogHandler(LogHandlerBase):
     def __post_init__(self) -> None:
         tier = self.settings.tier if isinstance(self.settings, LogHandlerSettings) else "standard"
         self._progress = Progress(tier)
-        self._rules: dict[int, str] = {}  # rule of each started step, by number of the job
         self._steps_failed = False
         self._terminal = sys.stdout.isatty()
         self._ended = threading.Event()
@@ -67,8 +67,7 @@ class LogHandler(LogHandlerBase):
         elif event == LogEvent.JOB_INFO:
             self._begin(record)
         elif event == LogEvent.JOB_FINISHED:
-            job = int(record.job_id)  # type: ignore[attr-defined]
-            self._progress.end(job, self._rules.get(job, ""))
+            self._progress.end(int(record.job_id))  # type: ignore[attr-defined]
         elif event == LogEvent.PROGRESS:
             done, total = record.done, record.total  # type: ignore[attr-defined]
             self._progress.steps = f"{done} of {total} steps"
@@ -93,9 +92,10 @@ class LogHandler(LogHandlerBase):
 
     def _begin(self, record: LogRecord) -> None:
         job, rule = int(record.jobid), str(record.rule_name)  # type: ignore[attr-defined]
-        self._rules[job] = rule
-        if message := getattr(record, "rule_msg", None):
-            self._progress.begin(job, message)
+        name = StepName.of(rule, getattr(record, "wildcards", None))
+        logs = getattr(record, "log", None) or ()
+        log = next(map(Path, logs), None)
+        self._progress.begin(job, name, getattr(record, "rule_msg", None) or "", log)
 
     def _fail(self, record: LogRecord) -> None:
         """Print which step failed, and the last lines of its logs."""

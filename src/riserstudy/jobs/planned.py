@@ -1,8 +1,7 @@
-"""What a job reads, the plan of the workflow among it, and what it tells about its progress."""
+"""What a job reads, the plan of the workflow among it."""
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,7 +13,6 @@ if TYPE_CHECKING:
     from riserstudy.jobs.workplan import Workplan
 
 CONFIG = Path("config")  # in the folder where Snakemake runs
-OFTEN = 0.5  # s between two lines about points
 
 
 def read_plan(tier: str | None, papers: list[str], only: list[tuple[str, str]]) -> Workplan:
@@ -49,17 +47,3 @@ def text_of(source: Path) -> str:
         return source.read_text("utf-8")
     except OSError as error:
         raise InputError(source, "", str(error.strerror), "repeat `make study`, which writes it") from None
-
-
-class PointsDone:
-    """Prints ``12 of 40 points``, not more often than anybody looks."""
-
-    def __init__(self) -> None:
-        self._last_notice = 0.0
-
-    def __call__(self, done: int, total: int) -> None:
-        """Print how many are done, of how many."""
-        now = time.monotonic()
-        if done == total or now - self._last_notice > OFTEN:
-            self._last_notice = now
-            print(f"{done} of {total} points", flush=True)

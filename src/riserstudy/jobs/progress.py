@@ -8,45 +8,59 @@ A first run has no earlier run: it uses the times of steps and rules that come w
 from __future__ import annotations
 
 import json
-import re
 import time
 from collections import Counter, defaultdict
 from collections.abc import Callable, Mapping
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, NamedTuple
 
-from riserstudy.files.whole import write_whole
+from riserstudy.jobs.points_done import PointsDone, last_points
+from riserstudy.jobs.step_times import (
+    SHARD,
+    SIMULATE,
+    StepName,
+    Taken,
+    Times,
+    first_times,
+    remember,
+    remembered,
+)
 
 MEMORY = Path(".cache/steps.json")
 PLANNED = Path(".cache/points.json")  # planned points and shards of each study
-DATA_FILES = ("first_times.json",)
 RECORDED = "standard"  # tier of the times that come with the project
-FIRST = Path(__file__).with_name(DATA_FILES[0])  # times of rules without an earlier run
-TAIL = 400  # bytes at the end of a log that contain its progress
-STUDY = re.compile(r"simulate (\S+)/([^\s,]+)(?:, part (\d+) of (\d+))?")
 PACE = 0.1  # share of a step's points that must be done before its own pace is used
 MANY = 10  # least number of points done for a useful estimate of the pace
 COUNTED = 20.0  # weight of the times of earlier runs in the pace of this machine (core seconds)
 ALIKE = 4.0  # largest useful ratio of times: beyond it, for example, the points were in the store
-POINTS = re.compile(r"(\d+) of (\d+) points\s*$")
-
-
-class Taken(NamedTuple):
-    """Time of a finished step: its rule, its part of the time (core seconds), its points (1 if none)."""
-
-    rule: str
-    seconds: float
-    points: float
 
 
 @dataclass
 class Step:
-    """A step at work: Snakemake's message about it, and its part of the time so far (core seconds)."""
+    """A step at work: its name, words and log, and its part of the time so far (core seconds)."""
 
-    message: str
+    name: StepName
+    words: str
+    log: Path | None
     seconds: float = 0.0
+
+    @property
+    def points(self) -> PointsDone | None:
+        """Numbers of finished points and of all points, from its log; None for a step without points."""
+        return last_points(self.log) if self.log and self.name.study else None
+
+    @property
+    def share_done(self) -> float | None:
+        """Share of its points that is done, once it is large enough for a pace; else None."""
+        points = self.points
+        if not points or not points.total or points.done / points.total < PACE:
+            return None
+        return points.done / points.total
+
+    def __str__(self) -> str:
+        """Its words, with the numbers of points."""
+        points = self.points
+        return f"{self.words} ({points})" if points else self.words
 
 
 class Progress:
@@ -72,12 +86,12 @@ class Progress:
         self.steps = ""
         self.left: Counter[str] = Counter()  # remaining steps, by rule
         self.at_work: dict[int, Step] = {}  # by number of the job
-        self.took: dict[str, Taken] = {}  # by message
+        self.took: Times = {}
         self.points: dict[str, float] = {}  # by study
         self.shards: dict[str, int] = {}  # jobs that simulate a study, by study
-        self.known: dict[str, tuple[str, float]] = {}  # rule and time (core seconds), by message
-        self.before = _remembered(memory)
-        self.first: dict[str, Any] = json.loads(FIRST.read_text("utf-8"))
+        self.known: dict[StepName, float] = {}  # times (core seconds) of earlier runs, for these points
+        self.before = remembered(memory)
+        self.first = first_times()
 
     def plan(self, jobs: Mapping[str, int]) -> None:
         """Receive the number of steps of each rule that must be done."""
@@ -87,20 +101,17 @@ class Progress:
         self.shards = {study: shards for study, (_, shards) in planned.items()}
         self.known = self._known()
 
-    def begin(self, job: int, message: str) -> None:
-        """Receive the start of a step, with its message."""
+    def begin(self, job: int, name: StepName, words: str = "", log: Path | None = None) -> None:
+        """Receive the start of a step: its name, words about it (absent: its rule), and its log."""
         self._count()
-        self.at_work[job] = Step(message.strip())
+        self.at_work[job] = Step(name, words.strip() or name.rule, log)
 
-    def end(self, job: int, rule: str) -> None:
-        """Receive the end of a step of a rule."""
+    def end(self, job: int) -> None:
+        """Receive the end of a step that has begun."""
         self._count()
-        self.left[rule] -= 1
-        step = self.at_work.pop(job, None)
-        # Snakemake does not report the start of a rule that only collects files
-        message = step.message if step else rule
-        seconds = step.seconds if step else 0.0
-        self.took[message] = Taken(rule, seconds, self._points(message))
+        if step := self.at_work.pop(job, None):
+            self.left[step.name.rule] -= 1
+            self.took[step.name] = Taken(step.seconds, self._points(step.name))
 
     def fail(self, job: int) -> None:
         """Receive the failure of a step."""
@@ -114,16 +125,12 @@ class Progress:
             step.seconds += self.cores * (now - self.counted) / len(self.at_work)
         self.counted = now
 
-    def _points(self, message: str) -> float:
+    def _points(self, name: StepName) -> float:
         """Number of points that a step simulates; 1 for any other step."""
-        found = STUDY.fullmatch(message)
-        if not found:
-            return 1.0
-        paper, study, _, parts = found.groups()
-        return self.points.get(f"{paper}/{study}", 1.0) / float(parts or 1)
+        return self.points.get(name.study, 1.0) * name.share if name.study else 1.0
 
-    def _known(self) -> dict[str, tuple[str, float]]:
-        """Rule and time (core seconds) of steps, by message.
+    def _known(self) -> dict[StepName, float]:
+        """Times (core seconds) of steps.
 
         They are times of the last run of this tier, else of another tier, else those that come with the
         project; all are scaled to the present number of points of the study.
@@ -132,64 +139,61 @@ class Progress:
         every = self._of_project()
         for steps in (*others, self.before.get(self.tier, {})):
             every |= steps
-        return {
-            message: (step.rule, self._scaled(step, self._points(message))) for message, step in every.items()
-        }
+        return {name: self._scaled(name, taken) for name, taken in every.items()}
 
-    def _scaled(self, step: Taken, points: float) -> float:
-        """Time (core seconds) of a step with another number of points; the part without points is fixed."""
-        fixed: float = min(self.first["a_step"].get(step.rule, 0.0), step.seconds)
-        return fixed + (step.seconds - fixed) * points / step.points
+    def _scaled(self, name: StepName, taken: Taken) -> float:
+        """Time (core seconds) of a step with its present points; the part without points is fixed."""
+        fixed = min(self.first.a_step.get(name.rule, 0.0), taken.seconds)
+        return fixed + (taken.seconds - fixed) * self._points(name) / taken.points
 
-    def _of_project(self) -> dict[str, Taken]:
+    def _of_project(self) -> Times:
         """Times that come with the project, of the steps that this run has.
 
         Measurements have no points by which to scale: their times are used only in the tier in which they
         were recorded.
         """
-        steps = {message: Taken(*step) for message, step in self.first["steps"].items()}
+        steps = self.first.steps
         if self.tier != RECORDED:
-            steps = {message: step for message, step in steps.items() if step.rule != "measure"}
-        studies = {message for message in steps if STUDY.fullmatch(message)}
-        planned = {f"simulate {study}" for study in self.points} & studies
-        own = {m for m, step in steps.items() if step.rule == "compile"} | planned
-        return {m: s for m, s in steps.items() if m in own or (planned and m not in studies)}
+            steps = {name: taken for name, taken in steps.items() if name.rule != "measure"}
+        planned = {name for name in steps if name.study in self.points}
+        own = {name for name in steps if name.rule == "compile"} | planned
+        return {n: taken for n, taken in steps.items() if n in own or (planned and not n.study)}
 
-    def _at_first(self, rule: str) -> dict[str, float]:
-        """Time (core seconds) of steps of a rule without an earlier run, by message; scaled by points.
+    def _at_first(self, rule: str) -> dict[StepName, float]:
+        """Times (core seconds) of steps of a rule without an earlier run, scaled by points.
 
         A shard uses the pace of the finished shards of its study. The job that joins shards uses the time per
         joined point.
         """
-        step, point = (self.first[kind].get(rule) for kind in ("a_step", "a_point"))
+        step, point = self.first.a_step.get(rule), self.first.a_point.get(rule)
         if step is None:
             return {}
         if point is None or not self.points:
-            return {rule: step}
-        joined, paces = self.first["a_point"]["join"], self._paces()
-        times: dict[str, float] = {}
+            return {StepName(rule): step}
+        joined, paces = self.first.a_point["join"], self._paces()
+        times: dict[StepName, float] = {}
         for study, n in self.points.items():
-            shards, message = self.shards[study], f"simulate {study}"
-            if rule == "shard" and shards > 1:
+            shards = self.shards[study]
+            if rule == SHARD and shards > 1:
                 seconds = step + paces.get(study, point) * n / shards
-                times |= {f"{message}, part {k} of {shards}": seconds for k in range(shards)}
-            elif rule == "simulate":
-                times[message] = step + (point if shards == 1 else joined) * n
-        return times or {rule: step}
+                times |= {StepName.of_study(study, k, shards): seconds for k in range(shards)}
+            elif rule == SIMULATE:
+                times[StepName.of_study(study)] = step + (point if shards == 1 else joined) * n
+        return times or {StepName(rule): step}
 
     def _paces(self) -> dict[str, float]:
         """Time per point (core seconds) by study, from the shards of this run, finished or at work."""
         seconds: dict[str, float] = defaultdict(float)
         points: dict[str, float] = defaultdict(float)
-        for message, of in self.took.items():
-            if of.rule == "shard" and (study := _study_of(message)):
-                seconds[study] += of.seconds
-                points[study] += of.points
+        for name, of in self.took.items():
+            if name.rule == SHARD and name.study:
+                seconds[name.study] += of.seconds
+                points[name.study] += of.points
         for step in self.at_work.values():
-            done, of_all = points_done(step.message) or (0, 0)
-            if of_all and done / of_all >= PACE and (study := _study_of(step.message)):
-                seconds[study] += step.seconds
-                points[study] += done
+            done = step.points
+            if done and step.share_done and step.name.study:
+                seconds[step.name.study] += step.seconds
+                points[step.name.study] += done.done
         return {study: seconds[study] / points[study] for study in points if points[study]}
 
     def text(self) -> str:
@@ -198,7 +202,7 @@ class Progress:
         if (left := self.seconds_left()) is not None:
             word = "at least" if self._untimed() else "about"
             so_far = f"{self.percent(left)} %, {so_far}, {word} {lasting(left)} left"
-        at_work = ", ".join(_shortened(step.message) for step in self.at_work.values())
+        at_work = ", ".join(map(str, self.at_work.values()))
         cores = f"{self.cores} core{'s' if self.cores > 1 else ''}"
         return f"{so_far} on {cores}: {at_work}" if at_work else f"{so_far} on {cores}"
 
@@ -211,7 +215,7 @@ class Progress:
         """State of the run, whose change makes a new line in a log: percentage, steps done and at work."""
         left = self.seconds_left()
         share = None if left is None else self.percent(left)
-        return share, self.steps, tuple(step.message for step in self.at_work.values())
+        return share, self.steps, tuple(step.name for step in self.at_work.values())
 
     def seconds_left(self) -> float | None:
         """Time left (s), from the times of earlier runs per point, multiplied by the pace of this run.
@@ -223,7 +227,7 @@ class Progress:
         for rule, count in self.left.items():
             if count > 0:
                 alike = self._alike(rule)
-                to_do = [seconds for m, seconds in alike.items() if m not in self.took]
+                to_do = [seconds for name, seconds in alike.items() if name not in self.took]
                 times = to_do or list(alike.values()) or [0.0]
                 total += count * sum(times) / len(times)
         if not total:
@@ -232,9 +236,9 @@ class Progress:
         spent = sum(self._spent(step, pace) for step in self.at_work.values())
         return max(total * pace - spent, 0.0) / self.cores
 
-    def _alike(self, rule: str) -> dict[str, float]:
-        """Times (core seconds) of steps of a rule, by message; empty where none is known."""
-        known = {m: seconds for m, (of, seconds) in self.known.items() if of == rule}
+    def _alike(self, rule: str) -> dict[StepName, float]:
+        """Times (core seconds) of steps of a rule; empty where none is known."""
+        known = {name: seconds for name, seconds in self.known.items() if name.rule == rule}
         return known or self._at_first(rule)
 
     def _untimed(self) -> bool:
@@ -249,11 +253,11 @@ class Progress:
         """
         took, given = COUNTED, COUNTED
         known = self.known
-        timed = [(of.seconds, known[m][1]) for m, of in self.took.items() if m in known]
+        timed = [(of.seconds, known[name]) for name, of in self.took.items() if name in known]
         for step in self.at_work.values():
-            done, of = points_done(step.message) or (0, 0)
-            if of and done / of >= PACE and done >= MANY and step.message in known:
-                timed.append((step.seconds, known[step.message][1] * done / of))
+            done, share = step.points, step.share_done
+            if done and share and done.done >= MANY and step.name in known:
+                timed.append((step.seconds, known[step.name] * share))
         for here, there in timed:
             if there / ALIKE < here < there * ALIKE:
                 took, given = took + here, given + there
@@ -265,35 +269,19 @@ class Progress:
         Once a tenth of its points is done the pace of these points is used; the result is negative where the
         step is slower than expected.
         """
-        found = STUDY.fullmatch(step.message)
-        rule = ("shard" if found[3] else "simulate") if found else ""
-        at_first = self._at_first(rule).get(step.message)
-        given = self.known[step.message][1] if step.message in self.known else at_first
+        at_first = self._at_first(step.name.rule) if step.name.study else {}
+        given = self.known.get(step.name, at_first.get(step.name))
         if given is None:
             return 0.0
-        done, of = points_done(step.message) or (0, 0)
-        if of and done / of >= PACE:
-            return given * pace - step.seconds * (of - done) / done
-        return min(step.seconds, given * pace) if step.message in self.known else 0.0
+        if share := step.share_done:
+            return given * pace - step.seconds * (1.0 - share) / share
+        return min(step.seconds, given * pace) if step.name in self.known else 0.0
 
     def remember(self) -> None:
-        """Store the times of this run for the next one, unless the disk is full or the folder read-only."""
+        """Store the times of this run for the next one."""
         if self.took:
-            kept = self.before | {self.tier: self.before.get(self.tier, {}) | self.took}
-            with suppress(OSError):
-                self.memory.parent.mkdir(mode=0o700, exist_ok=True)
-                write_whole(self.memory, json.dumps(kept).encode())
-
-
-def _remembered(memory: Path) -> dict[str, dict[str, Taken]]:
-    """Steps of earlier runs by tier and message; none where they cannot be read."""
-    try:
-        tiers = json.loads(memory.read_text())
-        return {
-            tier: {message: Taken(*step) for message, step in steps.items()} for tier, steps in tiers.items()
-        }
-    except (OSError, ValueError, TypeError, AttributeError):
-        return {}
+            times = self.before.get(self.tier, {}) | self.took
+            remember(self.memory, self.before | {self.tier: times})
 
 
 def _planned(planned: Path) -> dict[str, tuple[float, int]]:
@@ -303,33 +291,6 @@ def _planned(planned: Path) -> dict[str, tuple[float, int]]:
         return {str(study): (float(n), int(shards)) for study, (n, shards) in counts.items()}
     except (OSError, ValueError, TypeError, AttributeError):
         return {}
-
-
-def _study_of(message: str) -> str | None:
-    """Return the study that a step simulates, as ``paper/study``; None for another step."""
-    found = STUDY.fullmatch(message)
-    return f"{found[1]}/{found[2]}" if found else None
-
-
-def _shortened(message: str) -> str:
-    """Return the message of a step with its number of finished points and of all, from its log."""
-    points = points_done(message)
-    return f"{message} ({points[0]} of {points[1]} points)" if points else message
-
-
-def points_done(message: str) -> tuple[int, int] | None:
-    """Return the numbers of finished points and of all points of a step at work, from its log."""
-    found = STUDY.fullmatch(message)
-    if not found:
-        return None
-    paper, study, part, parts = found.groups()
-    log = Path("logs", paper, f"{study}.{part}-of-{parts}.log" if part else f"{study}.log")
-    try:
-        end = log.read_bytes()[-TAIL:].decode(errors="replace")
-    except OSError:
-        return None
-    points = POINTS.search(end)
-    return (int(points[1]), int(points[2])) if points else None
 
 
 def lasting(seconds: float) -> str:

@@ -19,7 +19,8 @@ import typer
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError, RiserStudyError, printable
 from riserstudy.jobs import CORES, SHARED
-from riserstudy.jobs.planned import CONFIG, PointsDone, check_unchanged, datasets_of, read_plan, text_of
+from riserstudy.jobs.planned import CONFIG, check_unchanged, datasets_of, read_plan, text_of
+from riserstudy.jobs.points_done import ShowPoints
 from riserstudy.records.words import counted
 
 if TYPE_CHECKING:
@@ -138,10 +139,10 @@ def shard(
     if setting:
         tuned = with_setting(planned, setting)
         pairs = zip(points, tuned.shard(int(shard), int(shards)), strict=True)
-        again = sum(fill_tuned(planned, tuned, pairs, workers, PointsDone()).by_request)
+        again = sum(fill_tuned(planned, tuned, pairs, workers, ShowPoints()).by_request)
         summary = f"{counted(len(points), 'point')}, {again} of them with the tolerance"
     else:
-        made = fill(planned, points, workers, PointsDone())
+        made = fill(planned, points, workers, ShowPoints())
         summary = f"{counted(made, 'point')} simulated, {len(points) - made} from the store"
     print(f"{paper}/{study}, part {shard} of {shards}: {summary}")
     write_whole(target, f"{len(points)} points\n".encode())
@@ -159,7 +160,7 @@ def simulate(
     check_unchanged(plan.study_digest(paper, study), expect)
     tuned = read_settings(settings) if settings else None
     workers = processes(threads, plan.threads(paper, study))
-    write_study(plan.study(paper, study), target, workers, print, PointsDone(), tuned)
+    write_study(plan.study(paper, study), target, workers, print, ShowPoints(), tuned)
     _seal(target)
 
 
