@@ -7,6 +7,8 @@ import pytest
 from random_rigs import moving, written
 
 from riserstudy import simulate
+from riserstudy.errors import InputError
+from riserstudy.model.platform_motion import displacement
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.motion_records import uncovered
 
@@ -89,3 +91,67 @@ def test_records_without_sway_roll_and_yaw_leave_a_riser_in_its_plane(seed):
     for name, unit in columns.items():
         moved = still.with_values({f"platform.{name}": recorded(1e-3, unit)}, "test")
         assert moved.resolved().spatial == f"platform.{name}"
+
+
+def uneven(seed, spatial):
+    """A rig that is held after a fast shift, by few points at uneven times, and the values of these (m)."""
+    draw = np.random.default_rng(seed)
+    tree = moving(seed, spatial=spatial, conductor=False)
+    start = np.cumsum(draw.uniform(2.0, 10.0, int(draw.integers(3, 8))))
+    times = np.r_[0.0, start, start[-1] + 10.0 ** draw.uniform(0.5, 2.8)]
+    values = np.r_[0.0, draw.uniform(0.0, 5.0, len(start) - 1), [5.0, 5.0]]
+    points = [
+        {"time": f"{t!r} s", "value": f"{v!r} m"}
+        for t, v in zip(times.tolist(), values.tolist(), strict=True)
+    ]
+    tree["platform"] |= {"sway" if spatial else "surge": {"points": points}}
+    tree["analysis"]["duration"] = float(times[-1])
+    return SceneFile("scene.yaml", written(tree)), values
+
+
+def resolved_or_refused(file):
+    """The scene, or why it is refused."""
+    try:
+        return file.resolved()
+    except InputError as error:
+        return str(error)
+
+
+@pytest.mark.parametrize("spatial", [False, True])
+def test_a_platform_stays_near_the_points_of_its_motion(spatial):
+    """Through 0, 5, 5 and 5 m at 0, 10, 20 and 600 s, a spline reaches -1000 m."""
+    refused, noted = 0, 0
+    for seed in range(60):
+        file, values = uneven(seed, spatial)
+        scene = resolved_or_refused(file)
+        if isinstance(scene, str):
+            assert "the spline through the points exceeds" in scene
+            refused += 1
+            continue
+        moved = displacement(scene, np.linspace(0.0, scene.analysis.duration, 2000))[:, int(spatial)]
+        moved -= getattr(scene.platform.position, "sway" if spatial else "surge") or 0.0
+        beyond = max(moved.max() - values.max(), values.min() - moved.min()) / np.ptp(values)
+        assert beyond <= 0.5
+        said = [one for one in uncovered(scene) if "the spline through its points exceeds" in one]
+        assert bool(said) == (beyond > 0.25) or abs(beyond - 0.25) < 1e-3
+        noted += len(said)
+    assert refused > 10
+    assert 0 < noted < 40
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_record_with_four_points_in_a_period_is_taken_without_a_warning(seed):
+    """Of one frequency, or of a sea whose shortest waves have four points in their period."""
+    draw = np.random.default_rng(seed)
+    times = np.arange(0.0, 120.0, 1.0)
+    frequency = draw.uniform(0.05, 0.25, 1 if seed % 2 else 20)
+    phase = draw.uniform(0.0, 6.3, len(frequency))
+    values = np.sin(2.0 * np.pi * np.outer(times, frequency) + phase).sum(axis=1)
+    points = [
+        {"time": f"{t!r} s", "value": f"{v!r} m"}
+        for t, v in zip(times.tolist(), values.tolist(), strict=True)
+    ]
+    tree = moving(seed, spatial=False, conductor=False)
+    tree["platform"] |= {"heave": {"points": points}}
+    tree["analysis"]["duration"] = 119.0
+    assert uncovered(SceneFile("scene.yaml", written(tree)).resolved()) == []

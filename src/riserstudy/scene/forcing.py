@@ -103,7 +103,9 @@ class TimeSeries(Strict, Generic[P]):
     """A platform motion as a cubic spline through points, listed here or in a CSV table ``{file: name.csv}``.
 
     Before the first and after the last point of a time series, the platform motion keeps the value of this
-    point. If all values of a sway, roll or yaw are zero, no simulation in three dimensions is required.
+    point. Beside an interval that is much longer than its neighbours, a spline can exceed all points; the
+    engine refuses an excess of more than half of their range. If all values of a sway, roll or yaw are zero,
+    no simulation in three dimensions is required.
     """
 
     points: Annotated[list[P], Field(min_length=4)]

@@ -1,11 +1,15 @@
-"""Motions given as points, such as measured records: warnings about times of a run that they do not cover."""
+"""Motions given as points, such as measured records: uncovered times, and splines that exceed the points."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import pairwise
 from statistics import median
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
+import numpy as np
+
+from riserstudy.records.numerals import percent
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS, TimeSeries
 
 if TYPE_CHECKING:
@@ -14,6 +18,48 @@ if TYPE_CHECKING:
 WIDE = 4.0  # an interval longer than this multiple of the median interval is a gap
 # smallest number of points with which a motion counts as a record with a usual interval
 RECORDED = 20
+# excess of a spline over all points, as a share of their range, from which on it is reported: of a sine, of
+# which there are four points in a period beside its peaks, it is 0.2
+NOTED = 0.25
+
+
+class Excess(NamedTuple):
+    """The largest excess of the spline through points over all of them, upwards or downwards."""
+
+    size: float  # m or rad
+    share: float  # of the range of the points
+    after: float  # time of the last point before it (s)
+    before: float  # time of the next point (s)
+
+
+def records(scene: Parts) -> Iterator[tuple[str, list[Any]]]:
+    """Name and points of each motion of the platform that is given as points."""
+    for name in (*TRANSLATIONS, *TILTS):
+        motion = getattr(scene.platform, name, None)
+        if isinstance(motion, TimeSeries):
+            yield name, motion.points
+
+
+def excess_of(points: list[Any], duration: float) -> Excess | None:
+    """The largest excess of a spline within a run of a duration (s); None if there is none."""
+    from scipy.interpolate import CubicSpline  # loaded where it is needed: it takes long
+
+    times, values = (np.array([getattr(point, of) for point in points]) for of in ("time", "value"))
+    low, high = values.min(), values.max()
+    if not high > low:
+        return None
+    spline = CubicSpline(times, values)
+    turns = spline.derivative().roots(extrapolate=False)
+    turns = turns[(turns >= 0.0) & (turns <= duration)]
+    if not len(turns):
+        return None
+    beyond = np.maximum(spline(turns) - high, low - spline(turns))
+    k = int(beyond.argmax())
+    if not beyond[k] > 0.0:
+        return None
+    place = int(np.clip(np.searchsorted(times, turns[k]), 1, len(times) - 1))
+    share = float(beyond[k] / (high - low))
+    return Excess(float(beyond[k]), share, float(times[place - 1]), float(times[place]))
 
 
 def uncovered(scene: Parts) -> list[str]:
@@ -24,12 +70,9 @@ def uncovered(scene: Parts) -> list[str]:
     duration, platform = scene.analysis.duration, scene.platform
     if duration is None or platform is None:
         return []
-    sentences = []
-    for name in (*TRANSLATIONS, *TILTS):
-        motion = getattr(platform, name)
-        if isinstance(motion, TimeSeries):
-            sentences += [f"platform.{name}: {what}" for what in _of_points(motion.points, duration)]
-    return sentences
+    return [
+        f"platform.{name}: {what}" for name, points in records(scene) for what in _of_points(points, duration)
+    ]
 
 
 def _of_points(points: list[Any], duration: float) -> list[str]:
@@ -58,5 +101,10 @@ def _of_points(points: list[Any], duration: float) -> list[str]:
             f"a spline bridges the gap between its points at {times[widest]:g} s and "
             f"{times[widest + 1]:g} s, and can exceed all of them; add points there, since most points are "
             f"{usual:.4g} s apart"
+        )
+    elif (found := excess_of(points, duration)) and found.share > NOTED:
+        sentences.append(
+            f"between {found.after:g} s and {found.before:g} s, the spline through its points exceeds all of "
+            f"them by {percent(found.share)} of their range; add points there"
         )
     return sentences

@@ -8,7 +8,18 @@ from __future__ import annotations
 from itertools import chain
 from typing import TYPE_CHECKING
 
-from riserstudy.scene.rules import analysis, current, disconnect, ends, geometry, limits, pipe, vessel, waves
+from riserstudy.scene.rules import (
+    analysis,
+    current,
+    disconnect,
+    ends,
+    geometry,
+    limits,
+    motions,
+    pipe,
+    vessel,
+    waves,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -27,6 +38,7 @@ RULES = (
     pipe.mass,
     ends.held,
     ends.moves,
+    motions.splines,
     pipe.bending,
     pipe.turning,
     vessel.moored,
