@@ -105,9 +105,8 @@ def test_gumbel_finds_the_distribution_that_samples_are_from(count):
     assert modes.mean() == pytest.approx(30.0, abs=4.0 * found[0].mode_error / math.sqrt(40.0))
     told = np.mean([one.mode_error for one in found])
     assert modes.std() == pytest.approx(told, rel=0.35)  # four errors of a deviation of 40
-    fractile = np.mean([one.fractile for one in found])
-    # F(x) = exp(-exp(-(x - mode) / scale))
-    assert fractile == pytest.approx(30.0 - 2.0 * math.log(-math.log(0.9)), rel=0.03)
+    shares = gumbel_r.cdf([one.fractile for one in found], 30.0, 2.0)  # of further samples below it
+    assert shares.mean() == pytest.approx(0.9, abs=4.0 * shares.std() / math.sqrt(40.0))
 
 
 def test_gumbel_solves_the_equations_of_maximum_likelihood():

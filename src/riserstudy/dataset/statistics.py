@@ -12,6 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from riserstudy.dataset.further_seas import scales_above_mode
+
 FloatArray = NDArray[np.float64]
 FEWEST_PEAKS = 10  # smallest number of peaks for the fit of a distribution
 LOWER = 0.5  # share of the smallest peaks that the fit excludes
@@ -45,7 +47,7 @@ class Gumbel(NamedTuple):
 
     mode: float  # the most probable largest value
     scale: float
-    fractile: float  # value that nine seas in ten do not exceed
+    fractile: float  # value that nine further seas in ten do not exceed
     mode_error: float  # standard error of the mode
 
 
@@ -176,6 +178,6 @@ def gumbel(largest: ArrayLike) -> Gumbel:
     if np.ptp(values) <= SAME * np.abs(values).max():  # the sea does not change the quantity
         return Gumbel(float(values.mean()), 0.0, float(values.max()), 0.0)
     mode, scale = gumbel_r.fit(values)
-    fractile = gumbel_r.ppf(NOT_EXCEEDED, mode, scale)
+    fractile = mode + scales_above_mode(values.size, NOT_EXCEEDED) * scale
     error = math.sqrt(1.0 + 6.0 * (1.0 - np.euler_gamma) ** 2 / math.pi**2) * scale
     return Gumbel(float(mode), float(scale), float(fractile), float(error / math.sqrt(len(values))))

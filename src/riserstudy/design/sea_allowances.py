@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import error_of, rows_of, too_coarse
 from riserstudy.dataset.result import Result
+from riserstudy.dataset.statistics import gumbel
 from riserstudy.model.layout import directions
 from riserstudy.model.mesh import Mesh, mesh_of
 from riserstudy.scene.at_rest import static
@@ -23,7 +24,6 @@ from riserstudy.simulation.refine import run
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.run import finish, march
 from riserstudy.simulation.section_forces import shear
-from riserstudy.study.demand_in_sea import demand_of_next_run
 from riserstudy.study.departures import departure, refuse_departures
 from riserstudy.study.in_sea import Sea, in_sea
 
@@ -152,8 +152,11 @@ def _of_limit(scene: Resolved, limit: Limit, runs: Sequence[Run]) -> Allowance:
 
 
 def allowance(added: FloatArray) -> float:
-    """Addition that nine seas in ten do not exceed, from those of the seeds, (seeds,), same unit; >= 0."""
-    return max(demand_of_next_run(added), 0.0)
+    """Addition that nine seas in ten do not exceed, from those of the seeds, (seeds,), same unit; >= 0.
+
+    It is NaN if an addition is.
+    """
+    return math.nan if np.isnan(added).any() else max(gumbel(added).fractile, 0.0)
 
 
 def _added(scene: Resolved, limit: Limit, of: Run) -> dict[str, float]:
