@@ -67,7 +67,7 @@ def test_points_are_stored_without_their_limits(tmp_path, monkeypatch):
 
 
 def test_the_report_tells_the_point_that_uses_most(tmp_path):
-    (table,) = limit_tables({"pull": dataset(tmp_path)})
+    (table,) = tables_of(dataset(tmp_path))
     floor, ceiling, stroke = table.rows
     assert table.points == 3
     assert (floor.demand, floor.allowable, floor.use) == ("200 kN", "350 kN", "175 %")
@@ -76,13 +76,32 @@ def test_the_report_tells_the_point_that_uses_most(tmp_path):
     assert (stroke.use, stroke.verdict) == ("–", "not evaluated")
 
 
+def tables_of(found, caption="riser at 12:30: pulled"):
+    """Tables of the report about a study."""
+    (table,) = limit_tables({"pull": found}, {"pull": caption, "other": "another study"})
+    assert table.about == caption
+    return [table]
+
+
+@pytest.mark.parametrize("place", ["stroke", "lower x joint", "time; s: 3", ""])
+def test_the_report_names_places_as_the_scene_does(place, tmp_path):
+    """Only the output gets its long name, whatever a section is called; equal limits are numbered."""
+    found = dataset(tmp_path)
+    first, *_, last = json.loads(found.attrs["limits"])
+    about = [first | {"at": place}, first | {"at": place}, last]
+    found.attrs["limits"] = json.dumps(about)
+    (table,) = tables_of(found)
+    name = f"connected: smallest effective tension{f' at {place}' if place else ''}"
+    assert [row.limit for row in table.rows][:2] == [name, f"{name} (2)"]
+
+
 @pytest.mark.parametrize("seed", range(12))
 def test_no_limit_that_is_not_evaluated_somewhere_passes_for_one_that_is_met(seed, tmp_path):
     draw, found = np.random.default_rng(seed), dataset(tmp_path)
     words = draw.choice(["within", "exceeded", "not evaluated"], (3, 3), p=draw.dirichlet([1.0, 1.0, 1.0]))
     found["verdict_of_limit"].values[:] = words
     found["use_of_limit"].values[:] = np.where(words == "exceeded", 1.2, 0.5)
-    (table,) = limit_tables({"pull": found})
+    (table,) = tables_of(found)
     exceeded, unknown = ({k for k in range(3) if w in words[:, k]} for w in ("exceeded", "not evaluated"))
     assert table.sentences.startswith(f"{len(exceeded) or 'None'} of 3 limits ")
     assert (f"; {len(unknown)} " in table.sentences) == bool(unknown)
@@ -91,7 +110,7 @@ def test_no_limit_that_is_not_evaluated_somewhere_passes_for_one_that_is_met(see
 
 def test_the_report_tells_it_in_the_units_of_the_configuration(tmp_path):
     with reading_in(UnitSystem.US):
-        (table,) = limit_tables({"pull": dataset(tmp_path)})
+        (table,) = tables_of(dataset(tmp_path))
     floor = table.rows[0]
     assert (floor.demand, floor.allowable) == ("45 kip", "78.7 kip")  # 200 and 350 kN
     assert floor.where == "tension 157.4 kip"
@@ -100,7 +119,7 @@ def test_the_report_tells_it_in_the_units_of_the_configuration(tmp_path):
 
 def test_where_nothing_is_used_the_point_that_comes_nearest_is_told(tmp_path):
     floor = {"output": "effective_tension", "smallest": "0 kN", "mode": "connected"}
-    (table,) = limit_tables({"pull": dataset(tmp_path, limits=[floor])})
+    (table,) = tables_of(dataset(tmp_path, limits=[floor]))
     (row,) = table.rows
     assert (row.use, row.demand, row.where) == ("margin 200 kN", "200 kN", "tension 700 kN")
 
@@ -135,7 +154,7 @@ def test_an_axis_of_allowables_has_each_at_its_points(seed, named, of_scene, tmp
     np.testing.assert_allclose(found["allowable_of_limit"][0, :, 0], 1e3 * np.array(floors))
     about = json.loads(found.attrs["limits"])
     assert [row["allowable"] for row in about] == [None, 1e6, 7.0]
-    floor, ceiling, _ = limit_tables({"pull": found})[0].rows
+    floor, ceiling, _ = tables_of(found)[0].rows
     assert (floor.demand, floor.allowable) == ("200 kN", f"{floors[-1]:.3g} kN")
     assert float(floor.use.removesuffix(" %")) == pytest.approx(100.0 * use.max(), rel=5e-3)
     assert ceiling.allowable == "1000 kN"

@@ -55,11 +55,13 @@ STYLE = """<style>.water{fill:#4a8fc4;opacity:.18}.bed{fill:#8a949c;opacity:.6}
 
 def drive_off() -> str:
     """Return the animated run of Liu et al. (2017) as a small SVG that plays automatically."""
-    displayed = read_studies(ROOT / "config", "liu2017").in_motion
+    file = read_studies(ROOT / "config", "liu2017")
+    displayed = file.in_motion
     if displayed is None:
         raise LookupError("liu2017 shows no run in motion")
     with xr.open_dataset(ROOT / f"results/liu2017/{displayed.study}.nc") as data:
-        found = moving_riser([("liu2017", motion_of(displayed, data))])
+        caption = file.studies[displayed.study].caption
+        found = moving_riser([("liu2017", motion_of(displayed, data, caption))])
     if found is None:
         raise LookupError(f"liu2017/{displayed.study}: its top does not travel over a foot that stands")
     head, _, rest = found[1].svg.partition(">")

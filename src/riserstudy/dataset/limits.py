@@ -280,9 +280,12 @@ def use(side: str, demand: float, allowable: float) -> float:
 
 def label(one: Checked | Limit) -> str:
     """A limit in words: mode, side, output and place."""
-    at = one.place if isinstance(one, Limit) else one.at
-    place = f" at {at}" if at else ""
-    return f"{one.mode}: {one.side} {one.output}{place}"
+    return limit_in_words(one.mode, one.side, one.output, one.place if isinstance(one, Limit) else one.at)
+
+
+def limit_in_words(mode: str, side: str, output: str, place: str) -> str:
+    """A limit by its mode, its side, the name of its output or words for it, and its place ("" for all)."""
+    return f"{mode}: {side} {output}{f' at {place}' if place else ''}"
 
 
 def mode_and_limit(text: str) -> tuple[str, str]:
@@ -292,11 +295,16 @@ def mode_and_limit(text: str) -> tuple[str, str]:
 
 
 def labels(limits: Sequence[Checked | Limit]) -> list[str]:
-    """Limits in words, which differ: of several that would have the same words, later ones are numbered."""
+    """Limits in words, which differ."""
+    return numbered([label(one) for one in limits])
+
+
+def numbered(names: Sequence[str]) -> list[str]:
+    """Names that differ: of several equal ones, the second and later ones are numbered."""
     found: list[str] = []
-    for one in limits:
-        name, number = label(one), 2
-        while name in found:
-            name, number = f"{label(one)} ({number})", number + 1
-        found.append(name)
+    for name in names:
+        other, number = name, 2
+        while other in found:
+            other, number = f"{name} ({number})", number + 1
+        found.append(other)
     return found

@@ -6,8 +6,3 @@ from __future__ import annotations
 def titled(caption: str, paper: str, name: str = "") -> str:
     """The title of a dataset; ``name``: its name, if the title gives it."""
     return f"{paper} {name}: {caption}" if name else f"{paper}: {caption}"
-
-
-def caption_of(title: str) -> str:
-    """The caption in the title of a dataset, "" without one; no name of a paper or dataset has a colon."""
-    return title.partition(": ")[2]

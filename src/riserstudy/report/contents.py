@@ -165,7 +165,7 @@ def _chapters(
             [figure for figure in figures if figure.paper == paper],
             [row for row in errata if row["paper"] == paper],
             file.left_out,
-            limit_tables(_own(paper, file, datasets)),
+            limit_tables(_own(paper, file, datasets), {n: of.caption for n, of in file.studies.items()}),
             tables[paper],
         )
 
@@ -174,7 +174,8 @@ def _motion(paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset]) -> Mot
     drawn_runs = file.in_motion
     if not drawn_runs or (paper, drawn_runs.study) not in datasets:
         return None
-    return motion_of(drawn_runs, datasets[paper, drawn_runs.study])
+    caption = file.studies[drawn_runs.study].caption
+    return motion_of(drawn_runs, datasets[paper, drawn_runs.study], caption)
 
 
 def _moving(

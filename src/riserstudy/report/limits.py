@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from riserstudy.dataset.limits import EXCEEDED, UNKNOWN
-from riserstudy.dataset.title import caption_of
+from riserstudy.dataset.limits import EXCEEDED, UNKNOWN, limit_in_words, numbered
 from riserstudy.dataset.unit_systems import read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.figures.grid import called
@@ -29,10 +28,12 @@ class LimitRow(NamedTuple):
     use: str  # utilisation, or margin
     where: str
     verdict: str
+    exceeded: bool  # at one or more points
+    unknown: bool  # not evaluated at one or more points
 
 
 class LimitTable(NamedTuple):
-    """Limits of one study; ``about`` is its title."""
+    """Limits of one study; ``about`` is its caption."""
 
     about: str
     points: int
@@ -41,7 +42,7 @@ class LimitTable(NamedTuple):
     @property
     def sentences(self) -> str:
         """Number of limits that are exceeded, or not evaluated, at some point, in words."""
-        exceeded, unknown = (sum(word in row.verdict for row in self.rows) for word in (EXCEEDED, UNKNOWN))
+        exceeded, unknown = (sum(row.exceeded for row in self.rows), sum(row.unknown for row in self.rows))
         many, somewhere = counted(len(self.rows), "limit"), "at one or more points of the study"
         left = f"; {unknown} {'is' if unknown == 1 else 'are'} {UNKNOWN} {somewhere}" if unknown else ""
         if not exceeded:
@@ -49,36 +50,32 @@ class LimitTable(NamedTuple):
         return f"{exceeded} of {many} {'is' if exceeded == 1 else 'are'} exceeded {somewhere}{left}"
 
 
-def limit_tables(datasets: Mapping[str, xr.Dataset]) -> list[LimitTable]:
-    """Return one table for each study that has limits."""
+def limit_tables(datasets: Mapping[str, xr.Dataset], captions: Mapping[str, str]) -> list[LimitTable]:
+    """Return one table for each study that has limits; ``captions``: of the studies, by name."""
     return [
-        LimitTable(_about(name, dataset), dataset["point_key"].size, _rows(dataset))
+        LimitTable(captions[name], dataset["point_key"].size, _rows(dataset))
         for name, dataset in datasets.items()
         if "use_of_limit" in dataset
     ]
 
 
-def _about(name: str, dataset: xr.Dataset) -> str:
-    """Return the title of a study without the name of the paper, else the name of the study."""
-    return caption_of(str(dataset.attrs.get("title", ""))) or name.replace("_", " ")
-
-
 def _rows(dataset: xr.Dataset) -> list[LimitRow]:
     axes = [str(dim) for dim in dataset["point_key"].dims]
     limits = json.loads(dataset.attrs["limits"])
-    return [_row(dataset.isel(limit=k).transpose(*axes, ...), axes, limits[k]) for k in range(len(limits))]
+    each = enumerate(zip(limits, numbered([_in_words(**one) for one in limits]), strict=True))
+    return [_row(dataset.isel(limit=k).transpose(*axes, ...), axes, one, words) for k, (one, words) in each]
 
 
-def _row(of: xr.Dataset, axes: list[str], values: Mapping[str, str | float | None]) -> LimitRow:
+def _row(of: xr.Dataset, axes: list[str], values: Mapping[str, str | float | None], words: str) -> LimitRow:
     use, verdicts = of["use_of_limit"].values, of["verdict_of_limit"].values
     factor, unit = read_in(str(values["unit"]))
     differ = values["allowable"] is None
     allowables = of["allowable_of_limit"].values if differ else np.full(use.shape, values["allowable"])
-    words, origin = _in_words(str(of["limit"].item())), str(values["origin"])
+    origin = str(values["origin"])
     if np.isnan(use).all():
         ends = sorted({float(allowables.min()), float(allowables.max())})
         allowed = " to ".join(_figure(factor * end) for end in ends)
-        return LimitRow(words, f"{allowed} {unit}", origin, "–", "–", "–", UNKNOWN)
+        return LimitRow(words, f"{allowed} {unit}", origin, "–", "–", "–", UNKNOWN, False, True)
     demand = of["demand_of_limit"].values
     nearest = (np.where(np.isnan(use), np.inf, -use), demand if values["side"] == "smallest" else -demand)
     place = np.unravel_index(int(np.lexsort([n.ravel() for n in nearest[::-1]])[0]), use.shape)
@@ -90,7 +87,9 @@ def _row(of: xr.Dataset, axes: list[str], values: Mapping[str, str | float | Non
     else:
         used = f"{_figure(100.0 * share)} %" if np.isfinite(share) else "exceeded"
     allowed = f"{_figure(factor * allowable)} {unit}"
-    return LimitRow(words, allowed, origin, value, used, at, _verdict(verdicts))
+    counts = {word: int((verdicts == word).sum()) for word in (EXCEEDED, UNKNOWN)}
+    over, unknown = (counts[word] > 0 for word in (EXCEEDED, UNKNOWN))
+    return LimitRow(words, allowed, origin, value, used, at, _verdict(counts), over, unknown)
 
 
 def _figure(value: float) -> str:
@@ -98,13 +97,12 @@ def _figure(value: float) -> str:
     return np.format_float_positional(float(f"{value:.3g}"), trim="-")
 
 
-def _verdict(verdicts: np.ndarray) -> str:
+def _verdict(counts: Mapping[str, int]) -> str:
     """Return in words at how many points the limit is exceeded or not evaluated; else that all are within."""
-    counts = {word: int((verdicts == word).sum()) for word in (EXCEEDED, UNKNOWN)}
     words = [f"{word} at {count}" for word, count in counts.items() if count]
     return ", ".join(words) or "met at all points"
 
 
-def _in_words(limit: str) -> str:
-    """Return the name of a limit with the long name of its quantity."""
-    return " ".join(attributes(word).get("long_name", word) for word in limit.split(" "))
+def _in_words(*, mode: str, side: str, output: str, at: str, **_: object) -> str:
+    """Return a limit in words, with the long name of its quantity."""
+    return limit_in_words(mode, side, attributes(output).get("long_name", output), at)

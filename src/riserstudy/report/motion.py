@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.provenance import scene_of_point
-from riserstudy.dataset.title import caption_of
 from riserstudy.figures.grid import evenly_spaced
 from riserstudy.records.units import after_number
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS
@@ -55,8 +54,8 @@ class Motion(NamedTuple):
     histories: list[History]
 
 
-def motion_of(of_run: RunInMotion, dataset: xr.Dataset) -> Motion:
-    """Return the run of a dataset that a study file selects for the animation."""
+def motion_of(of_run: RunInMotion, dataset: xr.Dataset, caption: str) -> Motion:
+    """Return the run of a dataset that a study file selects for the animation; ``caption``: of its study."""
     run = dataset.sel(of_run.at)
     index = {axis: dataset.get_index(axis).get_loc(value) for axis, value in of_run.at.items()}
     scene = scene_of_point(dataset, index)
@@ -82,7 +81,7 @@ def motion_of(of_run: RunInMotion, dataset: xr.Dataset) -> Motion:
     if moved is not None or scene.vessel:
         place = _platform(scene, geometry, x, z, None if moved is None else moved[frames])
     return Motion(
-        title=_title(dataset, of_run.at),
+        title=_title(caption, dataset, of_run.at),
         scene=scene,
         time=time[frames],
         x=x,
@@ -109,10 +108,9 @@ def _displaced(scene: Resolved, time: Array) -> Array | None:
     return displacement(scene, time)
 
 
-def _title(dataset: xr.Dataset, at: dict[str, Any]) -> str:
-    about = caption_of(str(dataset.attrs["title"]))
+def _title(caption: str, dataset: xr.Dataset, at: dict[str, Any]) -> str:
     chosen = [f"{axis.replace('_', ' ')}: {_with_unit(dataset[axis], at[axis])}" for axis in at]
-    return f"{about} ({'; '.join(chosen)})" if chosen else about
+    return f"{caption} ({'; '.join(chosen)})" if chosen else caption
 
 
 def _with_unit(axis: xr.DataArray, value: Any) -> str:
