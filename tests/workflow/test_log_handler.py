@@ -3,7 +3,9 @@
 import logging
 import subprocess
 import sys
+import threading
 import time
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -75,6 +77,26 @@ def test_a_log_gets_a_line_only_for_a_change(handler, capsys, monkeypatch):
     time.sleep(0.3)
     out += capsys.readouterr().out
     assert out.count("simulate paper/one") == 1
+
+
+def test_steps_that_begin_and_end_while_progress_is_shown_do_not_end_its_display(handler, monkeypatch):
+    """Snakemake reports steps in one thread, while another one reads logs and prints."""
+    monkeypatch.setattr(log_handler, "IN_LOG", 1e-4)
+    Path("one.log").write_text("12 of 40 points\n")
+    failed = []
+    monkeypatch.setattr(threading, "excepthook", failed.append)
+    handler.emit(record(LogEvent.RUN_INFO, stats={"simulate": 3000, "total": 3000}))
+    for job in range(3000):
+        study = {"paper": "paper", "study": str(job)}
+        begin(handler, job, "simulate", f"simulate paper/{job}", study, ["one.log"])
+        if job >= 8:
+            handler.emit(record(LogEvent.JOB_FINISHED, job_id=job - 8))
+    assert not failed
+    assert handler._showing.is_alive()
+    assert len(handler._progress.took) == 3000 - 8
+    spent = sum(of.seconds for of in handler._progress.took.values())
+    at_work = sum(step.seconds for step in handler._progress.at_work.values())
+    assert spent + at_work <= handler._progress.clock() - handler._progress.began  # no time counts twice
 
 
 def test_a_failed_step_is_named_with_its_log_and_what_follows_from_it_is_not(handler, tmp_path, capsys):

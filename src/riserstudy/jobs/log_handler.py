@@ -47,6 +47,7 @@ class LogHandler(LogHandlerBase):
         self._steps_failed = False
         self._terminal = sys.stdout.isatty()
         self._ended = threading.Event()
+        self._counting = threading.RLock()  # held while the progress is read or changed
         self._showing: threading.Thread | None = None
 
     @property
@@ -56,9 +57,12 @@ class LogHandler(LogHandlerBase):
 
     def emit(self, record: LogRecord) -> None:
         """Process a log record, and print failures. ``record``: log record with an ``event`` and its data."""
+        if not self.common_settings.dryrun:
+            with self._counting:
+                self._process(record)
+
+    def _process(self, record: LogRecord) -> None:
         event = getattr(record, "event", None)
-        if self.common_settings.dryrun:
-            return
         if event == LogEvent.RUN_INFO:
             self._progress.plan(record.stats)  # type: ignore[attr-defined]
             self._show()
@@ -136,9 +140,11 @@ class LogHandler(LogHandlerBase):
     def _look(self) -> None:
         last: tuple[object, ...] = ()
         while not self._ended.wait(ON_TERMINAL if self._terminal else IN_LOG):
-            state = self._progress.state()
-            if (self._progress.steps or self._progress.at_work) and (self._terminal or state != last):
-                self._print_line(self._progress.text())
+            with self._counting:
+                state, text = self._progress.state(), self._progress.text()
+                begun = self._progress.steps or self._progress.at_work
+            if begun and (self._terminal or state != last):
+                self._print_line(text)
                 last = state
 
     def _print_line(self, text: str) -> None:
