@@ -119,7 +119,8 @@ def invent(name: str, points: int, seed: int) -> None:
     over = ("heave_amplitude", "heave_period")
     facts = [column.name for column in facts_of_points()]
     data: dict[str, Any] = {fact: (over, draw.random(shape)) for fact in facts}
-    data["warnings"] = (over, np.full(shape, "", dtype=object))
+    for name, none in (("warnings", ""), ("warning_records", "[]")):
+        data[name] = (over, np.full(shape, none, dtype=object))
     data["effects"] = (over, np.full(shape, "support\nplatform motion", dtype=object))
     keys = np.array([f"{seed:08x}{k:024x}" for k in range(points)], dtype=object)
     data["point_key"] = (over, keys.reshape(shape))

@@ -14,6 +14,7 @@ from chapters.numerics.outcome import Outcome
 from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, RiserStudyError, TakesTooLong
 from riserstudy.model.mesh import Mesh
+from riserstudy.records.warning import sentence
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.error_estimate import controlled, deciding, difference, statistics_of
 from riserstudy.simulation.refine import run
@@ -59,7 +60,7 @@ def in_time(scene: Resolved, patience: float) -> Result:
     """
     result = run(scene, patience)
     if "ended_by" in result.facts:
-        raise TakesTooLong(f"takes longer than {patience:g} s; {result.facts['warnings'][-1]}")
+        raise TakesTooLong(f"takes longer than {patience:g} s; {sentence(result.facts['warnings'][-1])}")
     return result
 
 

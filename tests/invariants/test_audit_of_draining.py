@@ -8,6 +8,7 @@ from changes import lifted
 from random_rigs import moving, written
 from some_seeds import seeds
 
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 
@@ -29,7 +30,7 @@ def draining(seed):
 
 def audit_of(tree):
     facts = run(SceneFile("rig.yaml", tree).resolved(), estimated=False).facts
-    return facts["audit"], facts["warnings"]
+    return facts["audit"], sentences(facts["warnings"])
 
 
 @pytest.mark.parametrize("seed", seeds(10, few=5))

@@ -7,6 +7,7 @@ import pytest
 from test_one_riser_written_twice import riser
 
 from riserstudy.errors import SimulationError
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 
@@ -39,7 +40,7 @@ def test_the_warning_of_compression_is_that_of_the_same_riser_turned(seed, movin
         except SimulationError as error:
             found.append([str(error)])
         else:
-            found.append([one for one in result.facts["warnings"] if "tension" in one])
+            found.append([one for one in sentences(result.facts["warnings"]) if "tension" in one])
     assert all(one == found[0] for one in found)
 
 
@@ -53,4 +54,4 @@ def test_a_riser_that_is_moved_out_of_its_plane_may_buckle_in_every_direction():
     tree["current"]["beyond"] = "hold"
     found = run(SceneFile("riser.yaml", tree).resolved(), estimated=False)
     assert found.facts["smallest_tension"] < 0.0
-    assert not [one for one in found.facts["warnings"] if "out of its plane" in one]
+    assert not [one for one in sentences(found.facts["warnings"]) if "out of its plane" in one]

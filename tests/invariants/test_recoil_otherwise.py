@@ -10,6 +10,7 @@ from changes import in_other_units, lifted, mirrored, moved_by_the_top, rotated,
 from random_rigs import moving, written
 
 from riserstudy.dataset.recoil_table import recoil
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 
@@ -50,7 +51,7 @@ def outcome(tree):
     facts = run(scene, estimated=False).facts
     attrs = {**facts, "extremes": json.dumps(facts["extremes"])}
     rows = recoil(scene, SimpleNamespace(attrs=attrs)).rows
-    return {row[0]: row[1:] for row in rows}, facts["warnings"]
+    return {row[0]: row[1:] for row in rows}, sentences(facts["warnings"])
 
 
 @pytest.mark.parametrize("seed, spatial", CASES)

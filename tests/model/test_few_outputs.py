@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from random_rigs import moving, written
 
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 
@@ -27,6 +28,6 @@ def test_a_warning_says_where_histories_show_another_frequency(seed, spatial):
         power = abs(np.fft.rfft((end - end.mean()) * np.hanning(len(end)), 4096))
         shown = power.argmax() / 4096 * outputs / period  # Hz
         differs = abs(shown * period - 1.0) > 2.0 / PERIODS
-        warned = [text for text in found.facts["warnings"] if "histories do not show" in text]
+        warned = [text for text in sentences(found.facts["warnings"]) if "histories do not show" in text]
         assert len(warned) == differs
         assert differs == (outputs < 2.0)

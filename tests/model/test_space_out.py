@@ -11,6 +11,7 @@ from riserstudy import simulate
 from riserstudy.errors import InputError
 from riserstudy.model.mesh import even
 from riserstudy.model.space_out import joint_of
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.run import single
 
@@ -118,7 +119,7 @@ def test_stops_count_from_mid_stroke(seed):
     for share, touched in ((0.9, True), (1.1, False)):
         stop = {"stroke": f"{share * stroke} m", "stiffness": "1e8 N/m"}
         scene = file.with_values({"top.telescopic_joint.stop": stop}, "test").resolved()
-        warned = single(scene, even(scene, 60), None).facts["warnings"]
+        warned = sentences(single(scene, even(scene, 60), None).facts["warnings"])
         assert any("telescopic joint stroked out" in said for said in warned) == touched
 
 

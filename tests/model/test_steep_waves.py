@@ -7,6 +7,7 @@ import pytest
 
 from riserstudy import load_scene
 from riserstudy.model.warnings_of_scene import warnings_of
+from riserstudy.records.warning import sentences
 
 SCENE = """
 title: a riser in a regular wave
@@ -52,6 +53,6 @@ def test_a_wave_above_the_breaking_height_has_a_warning(tmp_path, seed):
         alone = {"platform": {"response": response}, "top.z": "platform", "top.tension": None,
                  "top.elevation": f"{depth!r} m"}  # fmt: skip
         for place, changes in (("wave", of_scene), ("platform.response.wave", alone)):
-            said = [w for w in warnings_of(load_scene(path, **changes).resolved()) if "break" in w]
+            said = [w for w in sentences(warnings_of(load_scene(path, **changes).resolved())) if "break" in w]
             assert len(said) == breaks
             assert not breaks or said[0].startswith(f"{place}: a height of {height:.3g} m")

@@ -8,6 +8,7 @@ from random_rigs import rig, written
 
 from riserstudy.model.unusual_loads import unusual_loads
 from riserstudy.model.warnings_of_scene import warnings_of
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import SceneFile
 
 STEEP = math.radians(75.0)  # of a platform
@@ -40,8 +41,8 @@ def said(seed, *, wave=True, platform=None, **sizes):
     tree["platform"] |= {"response": response} if wave else platform
     tree["analysis"] = {"duration": "4000 s", "output": {"interval": "0.02 s"}, "accuracy": "5 %"}
     scene = SceneFile("rig.yaml", tree).resolved()
-    found = unusual_loads(scene)
-    assert set(found) <= set(warnings_of(scene))
+    found = sentences(unusual_loads(scene))
+    assert set(found) <= set(sentences(warnings_of(scene)))
     return found
 
 

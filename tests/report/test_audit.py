@@ -18,7 +18,7 @@ create table studies (study, paper, name, caption, axes, table_name, accuracy);
 create table columns (table_name, column_name, role, position);
 create table wide (point);
 create table points (point integer primary key, study, place, {", ".join(COLUMNS)},
-    warnings, wall_seconds, unexplained_energy, {", ".join(OTHERS)});
+    warnings, wall_seconds, unexplained_energy, warning_records, {", ".join(OTHERS)});
 create table rests_on (paper, id, study);
 create table simulated_behind (study, source);
 create table numbers_and_claims (paper, id, kind, verdict, margin);
@@ -56,7 +56,7 @@ def database(rows):
             "insert into studies values (?, 'paper', ?, '', '{}', 'wide', null)", (f"paper/{name}", name)
         )
         db.execute(
-            f"insert into points values (?, ?, '', ?, ?, ?, ?, '', 1, 0{', null' * len(OTHERS)})",
+            f"insert into points values (?, ?, '', ?, ?, ?, ?, '', 1, 0, ''{', null' * len(OTHERS)})",
             (point, f"paper/{name}", *errors, *[None] * (4 - len(errors))),
         )
         if fixed:
@@ -232,7 +232,8 @@ def test_a_dataset_is_told_by_the_worst_of_its_points_and_their_sum(seed):
         text, fixed = draw.choice(["", "a warning"]), draw.random() < 0.5
         points.append((errors, spent, lost, text, fixed))
         row = (point, "paper/runs", "", *errors, text, spent, lost)
-        db.execute(f"insert into points values ({', '.join('?' * len(row))}{', null' * len(OTHERS)})", row)
+        marks = ", ".join("?" * len(row))
+        db.execute(f"insert into points values ({marks}, ''{', null' * len(OTHERS)})", row)
         if fixed:
             db.execute("insert into parameters values (?, 'analysis.mesh.elements', 9)", (point,))
     (row,) = audit(db, kept(runs=(None, None)))
@@ -253,7 +254,7 @@ def test_the_most_frequent_warning_is_told_first_with_its_datasets():
     db = database([("one", True, None, None, None, None), ("two", True, None, None, None, None)])
     db.execute("update points set warnings = 'rare\nfrequent' where point = 0")
     db.execute("update points set warnings = 'frequent' where point = 1")
-    assert [(one.points, one.datasets) for one in warned(db)] == [
+    assert [(one.number, one.datasets) for one in warned(db)] == [
         (2, ["paper/one", "paper/two"]), (1, ["paper/one"])
     ]  # fmt: skip
 

@@ -7,6 +7,7 @@ import pytest
 
 from riserstudy.dataset.tables import stack_up
 from riserstudy.model.active_effects import ledger
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.wave_forces import without_inertia
 from riserstudy.scene.weight import doubts
@@ -52,7 +53,7 @@ def test_lines_of_sections_are_those_of_the_file(seed):
     for told in (doubts, without_inertia):
         assert told(turning) == told(point)
         assert told(point)
-    for found in (*doubts(turning), *without_inertia(turning)):
+    for found in sentences([*doubts(turning), *without_inertia(turning)]):
         k = int(re.match(r"riser\[(\d+)\]\.", found)[1])
         assert f"'{file.tree['riser'][k]['name']}'" in found
     reasons = [

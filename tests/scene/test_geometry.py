@@ -5,6 +5,7 @@ import math
 import pytest
 
 from riserstudy.errors import InputError
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.weight import doubts
 
@@ -126,7 +127,7 @@ def test_contents_may_stand_up_to_the_deck():
 def test_contents_counted_twice_are_doubted():
     assert doubts(scene()) == []
     open_pipe = f"{9.81 * (7850.0 - 1025.0) * (OUTER - BORE)} N/m"
-    told = doubts(scene(**{"riser[0].submerged_weight": open_pipe}))
+    told = sentences(doubts(scene(**{"riser[0].submerged_weight": open_pipe})))
     assert len(told) == 1
     assert "riser[0].submerged_weight" in told[0]
     assert "874.7 N/m" in told[0]

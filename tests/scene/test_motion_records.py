@@ -9,6 +9,7 @@ from random_rigs import moving, written
 from riserstudy import simulate
 from riserstudy.errors import InputError
 from riserstudy.model.platform_motion import displacement
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.motion_records import uncovered
 
@@ -44,7 +45,7 @@ def recorded(seed, part):
 @pytest.mark.parametrize("part", PARTS)
 def test_what_a_record_does_not_cover_is_warned_of(seed, part):
     file, *_ = recorded(seed, part)
-    said = uncovered(file.resolved())
+    said = sentences(uncovered(file.resolved()))
     words = {"late": "begin at", "early": "end at", "apart": "outside", "gap": "bridges the gap"}
     assert len(said) == (part in words)
     assert all(one.startswith("platform.heave: ") and words[part] in one for one in said)
@@ -132,7 +133,7 @@ def test_a_platform_stays_near_the_points_of_its_motion(spatial):
         moved -= getattr(scene.platform.position, "sway" if spatial else "surge") or 0.0
         beyond = max(moved.max() - values.max(), values.min() - moved.min()) / np.ptp(values)
         assert beyond <= 0.5
-        said = [one for one in uncovered(scene) if "the spline through its points exceeds" in one]
+        said = [one for one in sentences(uncovered(scene)) if "the spline through its points exceeds" in one]
         assert bool(said) == (beyond > 0.25) or abs(beyond - 0.25) < 1e-3
         noted += len(said)
     assert refused > 10

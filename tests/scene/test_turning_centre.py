@@ -7,6 +7,7 @@ import pytest
 from random_rigs import moving, written
 
 from riserstudy.model.warnings_of_scene import warnings_of
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import SceneFile
 
 PATH = "platform.centre_of_rotation.x: "
@@ -30,7 +31,8 @@ def said(tree, **about):
     tree = copy.deepcopy(tree)
     made = written(tree)
     made["platform"]["centre_of_rotation"] |= about
-    return [line for line in warnings_of(SceneFile("rig.yaml", made).resolved()) if line.startswith(PATH)]
+    found = sentences(warnings_of(SceneFile("rig.yaml", made).resolved()))
+    return [line for line in found if line.startswith(PATH)]
 
 
 @pytest.mark.parametrize("seed", range(8))

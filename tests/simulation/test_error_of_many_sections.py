@@ -14,6 +14,7 @@ from some_seeds import seeds
 
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import prescribed
+from riserstudy.records.warning import sentences
 from riserstudy.scene.at_rest import static
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation import resolving_mesh
@@ -100,6 +101,6 @@ def test_without_any_comparison_no_error_is_estimated(count, monkeypatch):
     tree["analysis"] = {"mesh": {"elements": 24}}
     monkeypatch.setattr(resolving_mesh, "march", fails)
     found = run(SceneFile("rig.yaml", written(tree)).resolved()).facts
-    warned = any("the error is not estimated" in warning for warning in found["warnings"])
+    warned = any("the error is not estimated" in warning for warning in sentences(found["warnings"]))
     assert warned == (count == 30)
     assert bool(found["error_estimate"]) == (count == 1)

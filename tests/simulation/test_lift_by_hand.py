@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from riserstudy import load_scene
+from riserstudy.records.warning import sentences
 from riserstudy.simulation.disconnect import ABOVE, enter_lift, rows_of_limits
 
 SCENE = Path(__file__).parents[2] / "config/scenes/design/recoil.yaml"
@@ -70,7 +71,7 @@ def test_an_end_below_the_stack_has_a_time_of_contact(scenes, stack, away, deep)
     assert facts["recontact_time"] == pytest.approx(scenes[stack].disconnect.at + 10.0, abs=0.06)
     assert facts["recontact_aside"] == pytest.approx(away * 15.0 / 12.5, rel=0.02)
     assert facts["clearance_min"] == pytest.approx(-deep, rel=1e-3)
-    said = " ".join(facts["warnings"])
+    said = " ".join(sentences(facts["warnings"]))
     assert ("has no stack to stop it" in said) == (not stack)
     assert (f"sinks up to {deep:.3g} m below it" in said) == (not stack)
     assert ("aside from the well" in said) == (stack and away > ABOVE)

@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from riserstudy.errors import SimulationError
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import read_scene
 from riserstudy.simulation import prescribed_run as module
 from riserstudy.simulation.error_estimate import difference
@@ -50,4 +51,4 @@ def test_an_error_of_the_step_alone_is_not_that_of_a_run(monkeypatch):
     monkeypatch.setattr(module, "march", only_as_fine)
     result = run(of("bench/s2c.yaml", SURGE, 64, 0.1))
     assert result.facts["error_estimate"] == {}
-    assert "error is not estimated" in result.facts["warnings"][-1]
+    assert "error is not estimated" in sentences(result.facts["warnings"])[-1]

@@ -10,6 +10,7 @@ import pytest
 
 from riserstudy.errors import SimulationError, StepFailed, TakesTooLong
 from riserstudy.model.mesh import even
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import read_scene
 from riserstudy.simulation import refinement as module
 from riserstudy.simulation.error_estimate import estimate
@@ -128,7 +129,7 @@ def test_patience_ends_with_the_finest_run_and_its_estimate(monkeypatch):
     true = 40.0 * (facts["elements"] ** -2 + facts["step"] ** 2)
     assert facts["error_estimate"]["moment"] == pytest.approx(true, rel=0.2)
     assert facts["ended_by"] == "patience of 100 s"
-    (warning,) = facts["warnings"]
+    (warning,) = sentences(facts["warnings"])
     assert warning.startswith("accuracy not reached within the time limit of 100 s after 6 runs")
     assert f"moment {100 * facts['error_estimate']['moment']:.2g} %, " in warning
     assert len(told) == 6
@@ -139,7 +140,7 @@ def test_patience_ends_with_the_finest_run_and_its_estimate(monkeypatch):
 def test_patience_that_ends_before_there_is_an_estimate_says_so(monkeypatch):
     facts, _ = patient(monkeypatch, 6.0)
     assert facts["error_estimate"] == {}
-    assert "errors are not estimated" in facts["warnings"][0]
+    assert "errors are not estimated" in sentences(facts["warnings"])[0]
 
 
 def test_patience_that_ends_before_the_first_run_is_an_error(monkeypatch):

@@ -9,6 +9,7 @@ from test_vortex_induced_vibration import scene
 
 from riserstudy.errors import SimulationError
 from riserstudy.model.vortices import synchronised
+from riserstudy.records.warning import sentences
 from riserstudy.scene.forcing import Cruise, Platform
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.rival_modes import EDGE, FIRST, rivals, warn_of_rivals
@@ -61,7 +62,7 @@ def test_a_run_says_so(speed, said):
         riser=[_brief(scene())],
     )
     result = run(file.resolved(), estimated=False)
-    assert any(text.startswith(WARNING) for text in result.facts["warnings"]) == said
+    assert any(text.startswith(WARNING) for text in sentences(result.facts["warnings"])) == said
 
 
 def test_a_run_whose_modes_cannot_be_found_is_whole_and_says_so(monkeypatch):
@@ -71,7 +72,7 @@ def test_a_run_whose_modes_cannot_be_found_is_whole_and_says_so(monkeypatch):
     monkeypatch.setattr("riserstudy.simulation.modes.modes_of", fail)
     facts = {"warnings": []}
     warn_of_rivals(scene().resolved(), facts)
-    (warning,) = facts["warnings"]
+    (warning,) = sentences(facts["warnings"])
     assert warning.endswith("several competing modes failed: modes require mass")
 
 
@@ -82,7 +83,7 @@ def test_of_a_riser_that_is_towed_nothing_is_claimed(monkeypatch):
     resolved = scene().resolved()
     platform = Platform(cruise=Cruise(speed="0.5 m/s"))
     warn_of_rivals(resolved.replaced(platform=platform), facts)
-    (warning,) = facts["warnings"]
+    (warning,) = sentences(facts["warnings"])
     assert "not checked for a platform that cruises" in warning
 
 

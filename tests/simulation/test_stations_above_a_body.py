@@ -5,6 +5,7 @@ import copy
 import numpy as np
 import pytest
 
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 
@@ -64,5 +65,5 @@ def test_stations_at_the_ends_of_sections_have_the_histories_of_the_nodes_there(
         np.testing.assert_allclose(found.arrays[name], there, rtol=0.0, atol=1e-9)
     assert found.arrays["z"][0, 0] == pytest.approx(-15.0 - lengths.sum(), abs=1.0)
     assert found.arrays["s"] == pytest.approx(whole.arrays["s_node"][ends])
-    assert any(f"{reach:.4g} m below" in warning for warning in found.facts["warnings"])
-    assert not any("below the riser's lower end" in warning for warning in whole.facts["warnings"])
+    assert any(f"{reach:.4g} m below" in warning for warning in sentences(found.facts["warnings"]))
+    assert not any("below the riser's lower end" in warning for warning in sentences(whole.facts["warnings"]))

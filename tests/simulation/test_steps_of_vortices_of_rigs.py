@@ -7,6 +7,7 @@ import pytest
 from random_rigs import HIGHEST, rig, shed_vortices, timed, written
 
 from riserstudy.model.vortices import shortest_shedding_period
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import march
@@ -76,7 +77,7 @@ def test_a_step_too_long_for_the_drift_of_a_run_is_warned_of(seed):
     limit = diameter / (HIGHEST * (current + drift)) / 20.0
     assert drift > 5.0 * current
     for share, warned in ((0.9, False), (1.1, True)):
-        warnings = found(share * limit).facts["warnings"]
+        warnings = sentences(found(share * limit).facts["warnings"])
         assert any("the time step is too long" in text for text in warnings) == warned
 
 

@@ -8,6 +8,7 @@ import pytest
 
 from riserstudy import load_scene, simulate
 from riserstudy.model.stops import stops_touched
+from riserstudy.records.warning import sentences
 from riserstudy.scene.tensioners import Failing
 
 HEAVE = Path(__file__).parents[2] / "config/scenes/chang2020/heave.yaml"
@@ -32,7 +33,7 @@ def rig():
 def test_the_first_touch_and_the_largest_force_are_told(rig):
     reach = np.zeros((5, rig.count))
     reach[2, 0], reach[3, -1] = -2.001, 2.003
-    (said,) = stops_touched(rig, reach, 0.5 * np.arange(5) + 10.0)
+    (said,) = sentences(stops_touched(rig, reach, 0.5 * np.arange(5) + 10.0))
     assert said.startswith(
         "stroke: first reaches its stop at t = 11 s or earlier, with a force of at least 150 kN"
     )
@@ -63,7 +64,7 @@ def test_a_cylinder_that_fails_pushes_at_no_stop_afterwards(rig, seed):
 
 
 def test_a_touch_at_rest_is_told(rig):
-    (said,) = stops_touched(rig, np.full(rig.count, -2.01))
+    (said,) = sentences(stops_touched(rig, np.full(rig.count, -2.01)))
     assert said == "stroke: reaches its stop in static equilibrium, with 500 kN a cylinder"
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import read_scene
 from riserstudy.simulation.convergence import Convergence
 from riserstudy.simulation.error_estimate import difference
@@ -85,4 +86,4 @@ def test_what_patience_ends_says_which_outputs_are_not_there(scene, monkeypatch)
     assert found.facts["ended_by"] == "patience of 1000 s"
     apart = found.arrays["time"][1] - found.arrays["time"][0]
     assert apart > 2.0 * scene.analysis.output.interval
-    assert any(f"outputs are {apart:g} s apart" in text for text in found.facts["warnings"])
+    assert any(f"outputs are {apart:g} s apart" in text for text in sentences(found.facts["warnings"]))

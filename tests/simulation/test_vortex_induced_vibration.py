@@ -9,6 +9,7 @@ from random_rigs import rig, timed, written
 
 from riserstudy.errors import InputError
 from riserstudy.model.vortices import shedding_period, slowest, synchronised
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.vortex_vibration import enter
@@ -158,7 +159,7 @@ def test_a_request_holds_for_the_statistics():
 
 def test_steps_and_outputs_too_long_for_the_vortices_are_told():
     run_of = simulated(scene(analysis__step="40 ms", analysis__output__interval="80 ms"))
-    told = [line for line in run_of.facts["warnings"] if line.startswith("riser.viv")]
+    told = [line for line in sentences(run_of.facts["warnings"]) if line.startswith("riser.viv")]
     assert any("the time step is too long" in line for line in told)
     assert any("so no frequency is computed" in line for line in told)
     assert "vibration_frequency" not in run_of.facts
@@ -166,7 +167,7 @@ def test_steps_and_outputs_too_long_for_the_vortices_are_told():
 
 def test_a_run_with_few_outputs_after_its_ramps_is_not_judged():
     short = simulated(scene(analysis__output__interval="0.5 s"))
-    assert any("too few for statistics" in line for line in short.facts["warnings"])
+    assert any("too few for statistics" in line for line in sentences(short.facts["warnings"]))
     assert "vibration_rms" not in short.facts
 
 
@@ -183,7 +184,7 @@ def test_few_outputs_in_a_period_give_the_same_statistics_or_none(seed):
     facts = {"warnings": []}
     enter(rig_of, 0.001, {"time": time, "s": s, "x": 0.0 * wave, "y": 0.01 * wave}, facts)
     if "vibration_rms" not in facts:
-        assert "statistics of the vibration are not computed" in facts["warnings"][0]
+        assert "statistics of the vibration are not computed" in sentences(facts["warnings"])[0]
     else:
         assert facts["vibration_rms_max"] == pytest.approx(0.01 / np.sqrt(2.0), rel=0.03)
 
@@ -232,7 +233,7 @@ def test_a_run_says_where_its_vibration_includes_what_waves_and_platform_do(kind
         changes["top__x"] = "platform"
         changes["platform"] = {"surge": {"amplitude": "0.05 m", "period": f"{period} s"}}
     facts = simulated(scene(**changes)).facts
-    warned = any("include motion due to waves" in text for text in facts["warnings"])
+    warned = any("include motion due to waves" in text for text in sentences(facts["warnings"]))
     assert warned == said
     if said:
         assert facts["vibration_frequency"] == pytest.approx(1.0 / period, rel=0.05)

@@ -88,10 +88,11 @@ def test_a_run_without_a_coarser_one_is_run_anew(tmp_path, monkeypatch):
     file = StudyFile.model_validate({"paper": "own", "studies": {"one": model | {"axes": {}}}})
     study = Study("own", "one", file.studies["one"], tmp_path / "config", "standard")
     one = dataset_of(study, results_of(study, 1, lambda _: None)[0])
-    assert prescribed_run.NOT_ESTIMATED in one["warnings"].item()
+    assert "the error is not estimated" in one["warnings"].item()
     assert (one["error_estimated"].item(), one["error_moment"].isnull().item()) == (0, True)
     assert one.attrs["errors_estimated"].startswith("0 of 1")
-    assert max(rerun(one, {}).changes.values()) == 0.0
+    for dataset in (one, one.drop_vars("warning_records")):  # which earlier versions did not write
+        assert max(rerun(dataset, {}).changes.values()) == 0.0
 
 
 @pytest.mark.parametrize(

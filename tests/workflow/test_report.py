@@ -15,7 +15,7 @@ from riserstudy.records.graded import Graded, Grounds, Influence, Outcome, Share
 from riserstudy.report import render, write_report
 from riserstudy.report.claims import read_claims
 from riserstudy.report.contents import Sources
-from riserstudy.report.wording import grouped, share
+from riserstudy.report.wording import share
 
 pytestmark = pytest.mark.long
 
@@ -269,23 +269,6 @@ def test_a_study_without_printed_numbers_has_a_page_too(sources, tmp_path):
     page = Page(render(built(bare)))
     assert "graded." in page.words
     assert "verdicts" not in page.anchors
-
-
-def test_warnings_that_differ_in_numbers_alone_are_told_once_with_their_range():
-    deep, shallow = ("falls to -3.5e+06 N at s = 0 m: slack", "falls to -120 N at s = 0 m: slack")
-    assert grouped([deep, shallow, deep, "other"]) == [
-        ("falls to -3.5e+06 … -120 N at s = 0 m: slack", [deep, shallow], 3),
-        ("other", ["other"], 1),
-    ]
-
-
-def test_the_range_of_a_number_is_written_with_to_unless_the_text_has_this_word():
-    texts = [
-        f"stroke: first reaches its stop at t = {t} s, with a largest force of {f} kN"
-        for t, f in ((9, 20), (11, 3))
-    ]
-    ((text, _, _),) = grouped(texts)
-    assert text == "stroke: first reaches its stop at t = 9 to 11 s, with a largest force of 3 to 20 kN"
 
 
 def test_numbers_read_well():

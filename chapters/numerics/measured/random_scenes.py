@@ -30,6 +30,7 @@ from chapters.numerics.references import QUANTITIES, by_run
 from riserstudy.dataset.describe import label_variables
 from riserstudy.dataset.result import Result
 from riserstudy.model.mesh import even
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.origin import Origin
 from riserstudy.scene.resolve import Resolved
@@ -270,7 +271,7 @@ def tabulated(study: RandomStudy, drawn: list[Drawn]) -> xr.Dataset:
     data["elements"] = [f.get("elements", 0) for f in facts]
     data["step"] = [f.get("step", math.nan) for f in facts]
     data["runs"] = [len(f.get("refinements", [])) for f in facts]
-    data["warnings"] = ["\n".join(f.get("warnings", [])) for f in facts]
+    data["warnings"] = ["\n".join(sentences(f.get("warnings", []))) for f in facts]
     data["fixed_elements"] = [one.fixed.elements if one.fixed else 0 for one in drawn]
     for name in ("step", "error", "work"):
         values = [getattr(one.fixed, name) if one.fixed else math.nan for one in drawn]

@@ -28,6 +28,7 @@ from riserstudy.dataset.describe import label_variables
 from riserstudy.dataset.result import Result
 from riserstudy.errors import InputError
 from riserstudy.model.mesh import Mesh, even
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import settle
@@ -97,7 +98,7 @@ def run_case(
     facts = tried.result.facts if tried.result else {}
     estimate = deciding(facts.get("error_estimate", {}))
     written = Rung(facts.get("step", math.nan), outcome, error, tried)
-    result = CaseResult(written, estimate, "\n".join(facts.get("warnings", [])), standard)
+    result = CaseResult(written, estimate, "\n".join(sentences(facts.get("warnings", []))), standard)
     on = chosen(scene, tried)
     if on is None or outcome in (Outcome.UNSTABLE, Outcome.MISSED):
         return result

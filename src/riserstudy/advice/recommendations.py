@@ -7,12 +7,13 @@ from typing import NamedTuple
 
 from riserstudy.advice.ablation import Ablation, Changed, Notify, Peaks, ablate
 from riserstudy.errors import SimulationError
+from riserstudy.records.warning import filled
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.starting_mesh import period
-from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT, in_words
+from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT
 
 REPEATS = 5  # rounds of timed runs; the median counts
 BUDGET = 5e5  # node-steps of a run; longer scenes are cut
@@ -121,10 +122,11 @@ def _uncertain(base: Ablation, notify: Notify) -> str:
     errors: dict[str, float] = {name: found[name] for name in names if name in found}
     if not errors:
         return "The errors of these runs are not estimated: small changes may be numerical errors."
-    return (
-        f"Estimated errors of the scene itself on this mesh: {in_words(errors)}. Changes that are smaller "
-        "than these errors may be numerical errors."
+    text = (
+        "Estimated errors of the scene itself on this mesh: {errors:percent}. Changes that are smaller than "
+        "these errors may be numerical errors."
     )
+    return filled(text, {"errors": errors})
 
 
 def _in_doubt(base: Ablation) -> list[str]:

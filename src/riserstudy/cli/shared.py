@@ -271,13 +271,14 @@ def print_warnings(dataset: Any) -> None:
 def announce(file: Any) -> None:
     """Print the estimated time of a long run before it, and the reasons for this time."""
     from riserstudy.records.numerals import duration
+    from riserstudy.records.warning import sentences
     from riserstudy.scene.sudden import sudden_wave
     from riserstudy.simulation.forecast import forecast
     from riserstudy.simulation.progress_line import progress_line
     from riserstudy.simulation.time_limit import Watch
 
-    for warning in sudden_wave(file.resolved()):
-        notify(f"warning: {warning}")
+    for text in sentences(sudden_wave(file.resolved())):
+        notify(f"warning: {text}")
     with progress_line(True) as show_progress:
         price = forecast(file.resolved(), Watch(notify=show_progress))
     if price and price.seconds > NOTEWORTHY:

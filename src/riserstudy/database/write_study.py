@@ -85,8 +85,8 @@ def _write_points(db: sqlite3.Connection, about: About, contents: Contents) -> i
     grid, _ = contents.grids[0]
     of = {v.name: v.values for v in grid.variables if not v.within}
     first: int = db.execute("select coalesce(max(point), 0) + 1 from points").fetchone()[0]
-    absent_fact: Iterator[None] = repeat(None)
-    facts = [column.name for column in facts_of_points()]
+    # datasets of earlier versions lack some facts
+    facts = {f.name: repeat("" if f.about.kind == "text" else None) for f in facts_of_points()}
     rows = zip(
         range(first, first + grid.cells),
         repeat(about.study),
@@ -95,7 +95,7 @@ def _write_points(db: sqlite3.Connection, about: About, contents: Contents) -> i
         _places(grid),
         repeat(contents.attributes["engine"]),
         _effect_sets(db, contents.attributes, of.get("effects")),
-        *(plain(of[name]) if name in of else absent_fact for name in facts),
+        *(plain(of[name]) if name in of else absent_fact for name, absent_fact in facts.items()),
         strict=False,  # the repeated item has no end
     )
     db.executemany(f"insert into points values ({marks(7 + len(facts))})", rows)

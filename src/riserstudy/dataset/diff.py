@@ -3,7 +3,7 @@
 The change of a variable is its largest absolute difference divided by its largest magnitude in either
 dataset, because a relative change near a zero crossing has no meaning. If grids differ, their common points
 are compared, and their number is reported. Elapsed times are not compared, and neither are keys of stored
-points, which change with every edit of the engine.
+points, which change with every edit of the engine, and records of warnings, whose sentences are compared.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 TABLE = "reproduction.csv"
 COLUMNS = ("simulated", "error", "verdict", "depends_on")
-_LEFT_OUT = re.compile(r"seconds$|^wall_|^time_(change|share)$|^point_key$")
+_LEFT_OUT = re.compile(r"seconds$|^wall_|^time_(change|share)$|^(point_key|warning_records)$")
 
 
 class Graded(NamedTuple):

@@ -11,6 +11,7 @@ from riserstudy.dataset.limits import checked
 from riserstudy.dataset.provenance import package_version, provenance_of_run
 from riserstudy.dataset.variables import ENDINGS, attributes
 from riserstudy.files.digests import engine_digest
+from riserstudy.records.warning import sentences
 from riserstudy.scene.load import SceneFile
 
 if TYPE_CHECKING:
@@ -35,6 +36,7 @@ def to_dataset(result: Result, file: SceneFile, effects_off: dict[str, str]) -> 
         "effects_off": json.dumps(effects_off),
         "history": history("simulated a scene"),
         **{key: _text(value) for key, value in result.facts.items()},
+        "warnings": json.dumps(sentences(result.facts["warnings"])),
         "provenance": json.dumps(provenance_of_run(file)),
     }
     if "limits" in file.tree:

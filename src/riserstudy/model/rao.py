@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.model.sea import components_of
+from riserstudy.records.warning import RunWarning, Value, sentence, warning
 from riserstudy.scene.rao import TILTS, Operator, Response
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import Storm, Swell, Wave
@@ -29,6 +30,7 @@ STEEP = 5.0
 TURNS = 4.0 * math.pi  # rad, largest plausible phase
 CLOSE = 1e-9  # headings closer than this (rad) are equal
 WIDEST = 0.5 * math.pi  # largest gap between headings over which R is interpolated (rad)
+PATH = "platform.response.operators"
 
 
 class Harmonics(NamedTuple):
@@ -66,7 +68,7 @@ def operator(
         )
         raise InputError(
             "scene",
-            "platform.response.operators",
+            PATH,
             "no two headings within 90 deg of each other enclose the direction of the waves, "
             f"{math.degrees(heading):.4g} deg",
             f"add headings (present: {listed} deg)",
@@ -88,66 +90,63 @@ def _over_frequency(
     return np.asarray(real + 1j * imaginary)
 
 
-def doubts(scene: Resolved) -> list[str]:
+def doubts(scene: Resolved) -> list[RunWarning]:
     """Warnings about a response: wave components outside its operators, and values in the wrong unit."""
     response = scene.platform and scene.platform.response
     wave = response and (response.wave or scene.wave)
     if not response or not wave:
         return []
     amplitude, frequency, _ = components_of(wave)
-    sentences = slips(response, scene.gravity or GRAVITY)
+    found = slips(response, scene.gravity or GRAVITY)
     if _beyond(response, frequency).any():
         held = "cause no motion" if response.beyond == "zero" else "use the operator at the nearest period"
-        sentences.append(f"{_uncovered(response, amplitude, frequency)}; they {held}")
-    return sentences
+        outside = _uncovered(response, amplitude, frequency)
+        values = outside["values"] | {"held": held}
+        found.append(warning(outside["kind"], outside["text"] + "; they {held}", values))
+    return found
 
 
-def slips(response: Response, gravity: float) -> list[str]:
+def slips(response: Response, gravity: float) -> list[RunWarning]:
     """Warnings about angles that look like degrees in a column of radians, or radians in a column of degrees.
 
     Long waves rotate a platform by their slope, w^2 amplitude / g (gravity in m/s2), and shorter waves by
     less. Only near resonance is the rotation several times the slope. The median of a table is checked.
     """
-    sentences = _turned(response)
+    found = _turned(response)
     rows = response.operators
     slope = np.array([row.circular**2 / gravity for row in rows])
-    for name in set(TILTS) & set(response.moving) - {"yaw"}:
+    for name in (tilt for tilt in TILTS if tilt in response.moving and tilt != "yaw"):
         ratio = float(np.median([getattr(row, name) for row in rows] / slope))
         if ratio > STEEP:
-            sentences.append(
-                f"platform.response.operators: {name} is {ratio:.3g} times the slope of the waves (median): "
-                "are the numbers in degrees, although the column heading states radians?"
-            )
+            text = "{name} is {ratio:.3g} times the slope of the waves (median)"
+            found.append(_slip("tilts_in_degrees", text, name=name, ratio=ratio))
     phases = np.abs([getattr(row, f"{name}_phase") for row in rows for name in response.moving])
     largest = float(phases.max())
     if largest > TURNS:
-        sentences.append(
-            f"platform.response.operators: phases reach {largest:.4g} rad: are the numbers "
-            "in degrees, although the column heading states radians?"
-        )
+        found.append(_slip("phases_in_degrees", "phases reach {largest:.4g} rad", largest=largest))
     elif 0.0 < largest <= math.radians(math.pi) and len(set(phases.tolist())) > 2:
-        sentences.append(
-            f"platform.response.operators: no phase is above {math.degrees(largest):.3g} deg: are the "
-            "numbers in radians, although the column heading states degrees?"
-        )
-    return sentences
+        text = "no phase is above {largest:.3g} deg"
+        found.append(_slip("phases_in_radians", text, largest=math.degrees(largest)))
+    return found
 
 
-def _turned(response: Response) -> list[str]:
+def _turned(response: Response) -> list[RunWarning]:
     """A warning about headings of several turns, or of a few degrees only."""
     headings = {abs(row.heading) for row in response.operators if row.heading is not None}
     largest = max(headings, default=0.0)
     if largest > TURNS:
-        return [
-            f"platform.response.operators: headings reach {largest:.4g} rad: are the numbers "
-            "in degrees, although the column heading states radians?"
-        ]
+        return [_slip("headings_in_degrees", "headings reach {largest:.4g} rad", largest=largest)]
     if len(headings) > 2 and largest <= math.radians(2.0 * math.pi):
-        return [
-            f"platform.response.operators: no heading is above {math.degrees(largest):.3g} deg: are the "
-            "numbers in radians, although the column heading states degrees?"
-        ]
+        text = "no heading is above {largest:.3g} deg"
+        return [_slip("headings_in_radians", text, largest=math.degrees(largest))]
     return []
+
+
+def _slip(kind: str, text: str, **values: Value) -> RunWarning:
+    units = ("degrees", "radians")
+    of_numbers, of_heading = units if kind.endswith(units[0]) else reversed(units)
+    why = f"are the numbers in {of_numbers}, although the column heading states {of_heading}?"
+    return warning(kind, f"{PATH}: {text}: {why}", values)
 
 
 def _beyond(response: Response, frequency: FloatArray) -> NDArray[np.bool_]:
@@ -161,18 +160,22 @@ def _range(response: Response) -> tuple[float, float]:
     return known[0].circular, known[-1].circular
 
 
-def _uncovered(response: Response, amplitude: FloatArray, frequency: FloatArray) -> str:
+def _uncovered(response: Response, amplitude: FloatArray, frequency: FloatArray) -> RunWarning:
     """A statement of the share of a sea that the operators do not cover."""
     beyond = _beyond(response, frequency)
     periods = 2.0 * math.pi / frequency[beyond]
     low, high = _range(response)
     energy = float((amplitude[beyond] ** 2).sum() / (amplitude**2).sum())
-    span = f"{periods.min():.4g} s" if len(set(periods)) == 1 else ""
-    span = span or f"{periods.min():.4g} to {periods.max():.4g} s"
-    return (
-        f"{beyond.sum()} of {len(frequency)} wave components ({span}, {100.0 * energy:.3g} % of the energy) "
-        f"lie outside the periods of the operators, {2.0 * math.pi / high:g} s to {2.0 * math.pi / low:g} s"
+    kind, span, ends = "wave_outside_operators", "{period:.4g} s", {"period": periods.min()}
+    if len(set(periods)) > 1:
+        kind, span = "waves_outside_operators", "{from:.4g} to {to:.4g} s"
+        ends = {"from": periods.min(), "to": periods.max()}
+    text = (
+        f"{{beyond}} of {{all}} wave components ({span}, {{energy:.3g}} % of the energy) lie outside the "
+        "periods of the operators, {shortest:g} s to {longest:g} s"
     )
+    ends |= {"shortest": 2.0 * math.pi / high, "longest": 2.0 * math.pi / low, "energy": 100.0 * energy}
+    return warning(kind, text, ends | {"beyond": int(beyond.sum()), "all": len(frequency)})
 
 
 def harmonics(response: Response, wave: Swell | Storm, lag: FloatArray | float = 0.0) -> Harmonics:
@@ -185,8 +188,8 @@ def harmonics(response: Response, wave: Swell | Storm, lag: FloatArray | float =
     beyond = _beyond(response, frequency)
     if beyond.any() and response.beyond in (None, "refuse"):
         allowed = "extend the operators, or give 'beyond: hold' (nearest value) or 'beyond: zero' (no motion)"
-        outside = _uncovered(response, amplitude, frequency)
-        raise InputError("scene", "platform.response.operators", outside, allowed)
+        outside = sentence(_uncovered(response, amplitude, frequency))
+        raise InputError("scene", PATH, outside, allowed)
     heading = (wave.heading if isinstance(wave, Wave) else response.heading) or 0.0
     share = np.where(beyond & (response.beyond == "zero"), 0.0, 1.0)
     operators = {name: share * operator(response, name, frequency, heading) for name in response.moving}

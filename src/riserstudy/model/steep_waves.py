@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from riserstudy.model.sea import wave_number
+from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import Storm, Swell
 
@@ -13,24 +14,26 @@ DEEP = 20.0  # w^2 d / g from which tanh kd is 1
 GRAVITY = 9.80665  # m/s2, of a scene without gravity
 
 
-def breaking(scene: Resolved) -> list[str]:
+def breaking(scene: Resolved) -> list[RunWarning]:
     """Warnings about regular waves that are higher than waves of their period can be.
 
     References
     ----------
     DNV-RP-C205, 3.4.6: the largest height is 0.142 L tanh(k d), with the length L and the wave number k.
     """
-    sentences = []
+    found = []
     for path, wave in waves_of(scene).items():
         if not isinstance(wave, Swell):
             continue
         height, most = wave.wave_height, highest(scene, wave.period)
         if height > most:
-            sentences.append(
-                f"{path}: a height of {height:.3g} m is above {most:.3g} m, at which waves of "
-                f"{wave.period:g} s break. Give a smaller height or a longer period"
+            text = (
+                "{path}: a height of {height:.3g} m is above {most:.3g} m, at which waves of {period:g} s "
+                "break. Give a smaller height or a longer period"
             )
-    return sentences
+            values = {"path": path, "height": height, "most": most, "period": wave.period}
+            found.append(warning("breaking_wave", text, values))
+    return found
 
 
 def waves_of(scene: Resolved) -> dict[str, Swell | Storm]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.records.numerals import newtons
+from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.tensioners import Tensioners
 
@@ -16,7 +16,7 @@ MEET, PART = 0.5, 2.0
 
 def stops_touched(
     rig: Tensioners, reach: FloatArray, time: FloatArray | None = None, all_steps: bool = False
-) -> list[str]:
+) -> list[RunWarning]:
     """A warning when cylinders reach their end stops.
 
     Parameters
@@ -32,12 +32,12 @@ def stops_touched(
     if rig.failing and time is not None:
         working = np.where((time > rig.failing.at)[:, None], rig.still_working, working)
     force = rig.stroke.stop_stiffness * np.maximum(beyond, 0.0) * working
-    return _forces_in_words("stroke", force, " a cylinder", time, all_steps)
+    return _contact("stroke", force, " a cylinder", time, all_steps)
 
 
 def joint_stops_touched(
     joint: TelescopicJoint, length: FloatArray, time: FloatArray | None = None, all_steps: bool = False
-) -> list[str]:
+) -> list[RunWarning]:
     """Warnings when a telescopic joint reaches a stop, one for each stop.
 
     Parameters
@@ -51,50 +51,56 @@ def joint_stops_touched(
     shortest, longest = joint.reach
     beyond = {"stroked out": length - longest, "collapsed": shortest - length}
     return [
-        sentence
+        one
         for how, over in beyond.items()
-        for sentence in _forces_in_words(
+        for one in _contact(
             f"telescopic joint {how}", joint.stop.stiffness * np.maximum(over, 0.0), "", time, all_steps
         )
     ]
 
 
-def beyond_its_barrels(joint: TelescopicJoint, length: FloatArray) -> list[str]:
+def beyond_its_barrels(joint: TelescopicJoint, length: FloatArray) -> list[RunWarning]:
     """Warnings when a joint without a stop is shorter or longer than two barrels can be.
 
     At the joint's length, the barrels overlap. Fully compressed, the joint is as long as the longer barrel,
     which is more than half of its length. Fully extended, it is as long as both barrels together, which is
     less than twice its length. ``length``: length of the joint, any shape (m).
     """
-    stop, sentences = joint.stop, []
+    stop, found = joint.stop, []
     shortest, longest = float(length.min()), float(length.max())
-    about = f"of its length of {joint.length:.3g} m: two barrels cannot do this. Give "
+    about = "{reached:.3g} m of its length of {length:.3g} m: two barrels cannot do this. Give "
     if shortest < MEET * joint.length and not (stop and stop.collapse):
-        sentences.append(
-            f"top.telescopic_joint: is compressed to {shortest:.3g} m {about}stop.collapse and stiffness"
-        )
+        text = f"top.telescopic_joint: is compressed to {about}stop.collapse and stiffness"
+        found.append(warning("joint_too_short", text, {"reached": shortest, "length": joint.length}))
     if longest > PART * joint.length and not (stop and stop.stroke):
-        sentences.append(
-            f"top.telescopic_joint: is extended to {longest:.3g} m {about}stop.stroke and stiffness"
-        )
-    return sentences
+        text = f"top.telescopic_joint: is extended to {about}stop.stroke and stiffness"
+        found.append(warning("joint_too_long", text, {"reached": longest, "length": joint.length}))
+    return found
 
 
-def _forces_in_words(
+def _contact(
     stop: str, force: FloatArray, each: str, time: FloatArray | None, all_steps: bool
-) -> list[str]:
-    """A sentence about forces (N), one column each over time; "" without forces."""
+) -> list[RunWarning]:
+    """A warning about forces (N), one column each over time; none without forces."""
     if not force.any():
         return []
+    kind, values = f"{stop.replace(' ', '_')}_at_its_stop", {"force": force.max()}
+    with_force = f"{{force:newtons}}{each}"
     if time is None:
-        return [f"{stop}: reaches its stop in static equilibrium, with {newtons(force.max())}{each}"]
-    first = float(time[force.any(axis=1).argmax()])
-    after = f", from t = {time[0]:.6g} s on" if time[0] > 0.0 else ""
-    touch = f"{stop}: first reaches its stop at t = {first:.6g} s"
+        text = f"{stop}: reaches its stop in static equilibrium, with {with_force}"
+        return [warning(f"{kind}_at_rest", text, values)]
+    values["first"] = time[force.any(axis=1).argmax()]
+    text = f"{stop}: first reaches its stop at t = {{first:.6g}} s"
     if all_steps:
-        return [f"{touch}, with a largest force of {newtons(force.max())}{each}{after}"]
-    apart = f" {time[1] - time[0]:.3g} s apart" if len(time) > 1 else ""
-    return [
-        f"{touch} or earlier, with a force of at least {newtons(force.max())}{each}, as seen in "
-        f"outputs{apart}{after}"
-    ]
+        text += f", with a largest force of {with_force}"
+    else:
+        kind += "_in_outputs" if len(time) > 1 else "_in_an_output"
+        text += f" or earlier, with a force of at least {with_force}, as seen in outputs"
+        if len(time) > 1:
+            text += " {apart:.3g} s apart"
+            values["apart"] = time[1] - time[0]
+    if time[0] > 0.0:
+        kind += "_later"
+        text += ", from t = {since:.6g} s on"
+        values["since"] = time[0]
+    return [warning(kind, text, values)]

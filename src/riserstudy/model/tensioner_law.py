@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.records.numerals import newtons
+from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.tensioners import Gas, TableRow, Tensioners, TwoChamberGas
 
 if TYPE_CHECKING:
@@ -53,31 +53,32 @@ def table_law(table: list[TableRow], interpolation: str | None = None) -> PPoly:
     return PPoly(pieces, np.concatenate([[reach[0] - room], reach, [reach[-1] + room]]))
 
 
-def leaves_table(rig: Tensioners, reach: FloatArray) -> list[str]:
+def leaves_table(rig: Tensioners, reach: FloatArray) -> list[RunWarning]:
     """A warning when the reach of cylinders (m), of any shape, is outside of their table."""
     if rig.table is None:
         return []
     first, last = rig.table[0].reach, rig.table[-1].reach
     if first <= reach.min() and reach.max() <= last:
         return []
-    return [
-        f"tensioners extend from {reach.min():.4g} m to {reach.max():.4g} m, but their table covers only "
-        f"{first:g} m to {last:g} m: beyond it, force is extrapolated linearly; extend it or give stops"
-    ]
+    text = (
+        "tensioners extend from {shortest:.4g} m to {longest:.4g} m, but their table covers only "
+        "{first:g} m to {last:g} m: beyond it, force is extrapolated linearly; extend it or give stops"
+    )
+    values = {"shortest": reach.min(), "longest": reach.max(), "first": first, "last": last}
+    return [warning("outside_tensioner_table", text, values)]
 
 
-def pushes(force: FloatArray, time: FloatArray | None = None) -> list[str]:
+def pushes(force: FloatArray, time: FloatArray | None = None) -> list[RunWarning]:
     """A warning when cylinders push: their pull (N), (c,) at rest or (k, c) over time (k,), is negative."""
     least = float(force.min())
     if least >= -ROUNDING * float(abs(force).max()):
         return []
-    when = "in static equilibrium"
-    if time is not None:
-        when = f"at t = {time[np.unravel_index(force.argmin(), force.shape)[0]]:.6g} s"
-    return [
-        f"tensioners: a cylinder pushes, with at most {newtons(-least)} {when}: check that its law holds "
-        "there, since a cylinder on wires or with a slender rod cannot push"
-    ]
+    push = "tensioners: a cylinder pushes, with at most {force:newtons} "
+    check = ": check that its law holds there, since a cylinder on wires or with a slender rod cannot push"
+    if time is None:
+        return [warning("pushing_cylinder_at_rest", f"{push}in static equilibrium{check}", {"force": -least})]
+    at = time[np.unravel_index(force.argmin(), force.shape)[0]]
+    return [warning("pushing_cylinder", f"{push}at t = {{time:.6g}} s{check}", {"force": -least, "time": at})]
 
 
 def linear_law(rig: Tensioners, gravity: float = 0.0) -> tuple[float, float]:

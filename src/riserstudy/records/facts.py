@@ -6,11 +6,14 @@ studies, the results database, plots and reruns include it automatically.
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 from typing import Annotated, Any, Literal, TypedDict, get_type_hints
+
+from riserstudy.records.warning import RunWarning, sentences
 
 Kind = Literal["real", "integer", "text"]
 
@@ -134,7 +137,22 @@ class RunFacts(TypedDict, total=False):
     largest_bending_moment_s: Annotated[
         float, Column("arclength, from the bottom, at which the bending moment is largest", "m")
     ]
-    warnings: Annotated[list[str], Column("warnings of the run, one per line", kind="text", repeats=False)]
+    warnings: Annotated[
+        list[RunWarning],
+        Column(
+            "warnings of the run, one per line",
+            kind="text",
+            of=lambda facts: "\n".join(sentences(facts.get("warnings", ()))),
+            repeats=False,
+        ),
+        Column(
+            "warnings of the run as JSON: kind, text with places, and values",
+            name="warning_records",
+            kind="text",
+            of=lambda facts: json.dumps(facts.get("warnings", [])),
+            repeats=False,
+        ),
+    ]
     #: effects by name, each with the input that includes it
     effects: Annotated[
         dict[str, str],

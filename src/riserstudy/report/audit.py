@@ -6,6 +6,7 @@ verdict.
 
 from __future__ import annotations
 
+import json
 import sqlite3
 from collections import Counter
 from collections.abc import Iterator
@@ -14,9 +15,10 @@ from typing import Any, NamedTuple
 
 from riserstudy.dataset.limits import NOT_LIMITED
 from riserstudy.dataset.variables import quantity_of
+from riserstudy.records.warning import RunWarning, joint_sentence, warning
 from riserstudy.records.words import counted, listed
 from riserstudy.report.without_points import WithoutPoints, without_points
-from riserstudy.report.wording import grouped, share, spaced
+from riserstudy.report.wording import share, spaced
 from riserstudy.scene.fields import in_si
 from riserstudy.scene.outputs import QUANTITIES
 from riserstudy.study.models import StudyFile
@@ -70,10 +72,10 @@ class Row(NamedTuple):
 
 
 class Warned(NamedTuple):
-    """Warnings that differ only in numbers: text, number of points, and datasets."""
+    """Warnings of one kind: joint sentence, number of warnings, and datasets."""
 
     text: str
-    points: int
+    number: int
     datasets: list[str]
 
 
@@ -257,18 +259,19 @@ class Tally:
 
 
 def warned(db: sqlite3.Connection) -> list[Warned]:
-    """Return all warnings, equal ones together, the most frequent first."""
-    where: dict[str, list[str]] = {}
-    rows = db.execute("select study, warnings from points where warnings != '' order by point")
-    for study, text in rows:
-        for line in text.splitlines():
-            where.setdefault(line, []).append(study)
-    kinds = grouped(line for line, studies in where.items() for _ in studies)
-    warnings = []
-    for text, lines, count in kinds:
-        datasets = dict.fromkeys(study for line in lines for study in where[line])
-        warnings.append(Warned(text, count, list(datasets)))
-    return sorted(warnings, key=lambda one: -one.points)
+    """Return all warnings, those of one kind together, the most frequent first."""
+    of_kind: dict[tuple[str, str], list[tuple[RunWarning, str]]] = {}
+    cells = "select study, warnings, warning_records from points where warnings != '' order by point"
+    for study, lines, records in db.execute(cells):
+        # datasets of earlier versions have only the sentences, or another text for a kind
+        told = json.loads(records) if records else [warning(s, "{it}", {"it": s}) for s in lines.splitlines()]
+        for one in told:
+            of_kind.setdefault((one["kind"], one["text"]), []).append((one, study))
+    kinds = []
+    for given in of_kind.values():
+        warnings, datasets = zip(*given, strict=True)
+        kinds.append(Warned(joint_sentence(warnings), len(given), list(dict.fromkeys(datasets))))
+    return sorted(kinds, key=lambda one: -one.number)
 
 
 def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from functools import partial
 
 from markupsafe import Markup, escape
@@ -15,7 +15,6 @@ from riserstudy.records.units import after_number
 from riserstudy.records.words import listed, sentence
 
 _DOI = re.compile(r"\b10\.\d{4,9}/[^\s,;<>&]*[^\s,;.<>&]")
-_NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?(?![\w.])", re.IGNORECASE)
 
 
 def number(value: object) -> str:
@@ -51,31 +50,6 @@ def spaced(count: int) -> str:
 def with_links(text: str) -> Markup:
     """Return a text whose DOIs are links."""
     return Markup(_DOI.sub(lambda m: f'<a href="https://doi.org/{m[0]}">{m[0]}</a>', str(escape(text))))
-
-
-def grouped(warnings: Iterable[str]) -> list[tuple[str, list[str], int]]:
-    """Combine warnings that differ only in numbers into one, with the range of each number.
-
-    Returns
-    -------
-    Text, the different warnings that it replaces, and how often they were given.
-    """
-    kinds: dict[str, list[str]] = {}
-    for warning in warnings:
-        kinds.setdefault(_NUMBER.sub("\0", warning), []).append(warning)
-    return [
-        (_filled(kind, [_NUMBER.findall(w) for w in numbers]), list(dict.fromkeys(numbers)), len(numbers))
-        for kind, numbers in kinds.items()
-    ]
-
-
-def _filled(kind: str, numbers: list[list[str]]) -> str:
-    to = " … " if " to \0" in kind else " to "
-    text, *rest = kind.split("\0")
-    for place, after in enumerate(rest):
-        distinct = sorted({row[place] for row in numbers}, key=float)
-        text += (distinct[0] if len(distinct) == 1 else f"{distinct[0]}{to}{distinct[-1]}") + after
-    return text
 
 
 WORDING: dict[str, Callable[..., object]] = {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.forcing import TILTS
 
 if TYPE_CHECKING:
@@ -23,11 +24,12 @@ def followed(scene: Parts) -> dict[str, bool]:
     return sideways | {"heave": up} | dict.fromkeys(TILTS, across or up)
 
 
-def not_followed(scene: Parts) -> list[str]:
+def not_followed(scene: Parts) -> list[RunWarning]:
     """A warning about motions of a response that move nothing, beside others that do."""
     response = scene.platform and scene.platform.response
     if not response:
         return []
     follows = followed(scene)
     idle = [name for name in response.moving if not follows[name]]
-    return [f"platform.response: {' and '.join(idle)} of the platform {NOTHING}"] if idle else []
+    text = f"platform.response: {{motions}} of the platform {NOTHING}"
+    return [warning("motions_without_effect", text, {"motions": " and ".join(idle)})] if idle else []

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from riserstudy.records.numerals import percent
+from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS, TimeSeries
 
 if TYPE_CHECKING:
@@ -62,7 +62,7 @@ def excess_of(points: list[Any], duration: float) -> Excess | None:
     return Excess(float(beyond[k]), share, float(times[place - 1]), float(times[place]))
 
 
-def uncovered(scene: Parts) -> list[str]:
+def uncovered(scene: Parts) -> list[RunWarning]:
     """A warning for each motion whose points begin after the run, end before it, or have a gap.
 
     If a motion has two points of equal value at an end, the platform is meant to rest there: no warning.
@@ -71,40 +71,47 @@ def uncovered(scene: Parts) -> list[str]:
     if duration is None or platform is None:
         return []
     return [
-        f"platform.{name}: {what}" for name, points in records(scene) for what in _of_points(points, duration)
+        one for name, points in records(scene) for one in _of_points(f"platform.{name}", points, duration)
     ]
 
 
-def _of_points(points: list[Any], duration: float) -> list[str]:
+def _of_points(path: str, points: list[Any], duration: float) -> list[RunWarning]:
     times = [point.time for point in points]
     first, last = times[0], times[-1]
+    begin, end = {"path": path, "first": first}, {"path": path, "last": last, "end": duration}
     if first >= duration or last <= 0.0:
-        return [
-            f"its points, from {first:g} s to {last:g} s, are outside of the run, from 0 s to {duration:g} "
+        text = (
+            "{path}: its points, from {first:g} s to {last:g} s, are outside of the run, from 0 s to {end:g} "
             "s, in which the platform does not move; shift the times of the points"
-        ]
-    sentences = []
+        )
+        return [warning("motion_outside_the_run", text, begin | end)]
+    found = []
     if first > 0.0 and points[0].value != points[1].value:
-        sentences.append(
-            f"its points begin at {first:g} s, so the motion keeps its first value from 0 s until then; add "
-            "earlier points, or shift the times"
+        text = (
+            "{path}: its points begin at {first:g} s, so the motion keeps its first value from 0 s until "
+            "then; add earlier points, or shift the times"
         )
+        found.append(warning("motion_begins_late", text, begin))
     if last < duration and points[-1].value != points[-2].value:
-        sentences.append(
-            f"its points end at {last:g} s, so the motion keeps its last value until the end of the run at "
-            f"{duration:g} s; add later points, or give a shorter analysis.duration"
+        text = (
+            "{path}: its points end at {last:g} s, so the motion keeps its last value until the end of the "
+            "run at {end:g} s; add later points, or give a shorter analysis.duration"
         )
+        found.append(warning("motion_ends_early", text, end))
     steps = [b - a for a, b in pairwise(times)]
     usual, widest = median(steps), max(range(len(steps)), key=steps.__getitem__)
     if len(points) >= RECORDED and steps[widest] > WIDE * usual:
-        sentences.append(
-            f"a spline bridges the gap between its points at {times[widest]:g} s and "
-            f"{times[widest + 1]:g} s, and can exceed all of them; add points there, since most points are "
-            f"{usual:.4g} s apart"
+        text = (
+            "{path}: a spline bridges the gap between its points at {before:g} s and {after:g} s, and can "
+            "exceed all of them; add points there, since most points are {usual:.4g} s apart"
         )
-    elif (found := excess_of(points, duration)) and found.share > NOTED:
-        sentences.append(
-            f"between {found.after:g} s and {found.before:g} s, the spline through its points exceeds all of "
-            f"them by {percent(found.share)} of their range; add points there"
+        gap = {"before": times[widest], "after": times[widest + 1], "usual": usual}
+        found.append(warning("gap_in_a_motion", text, {"path": path, **gap}))
+    elif (excess := excess_of(points, duration)) and excess.share > NOTED:
+        text = (
+            "{path}: between {after:g} s and {before:g} s, the spline through its points exceeds all of them "
+            "by {share:percent} of their range; add points there"
         )
-    return sentences
+        values = {"path": path, "after": excess.after, "before": excess.before, "share": excess.share}
+        found.append(warning("spline_beyond_its_points", text, values))
+    return found

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.geometry import levels
 
 if TYPE_CHECKING:
@@ -12,7 +13,7 @@ if TYPE_CHECKING:
 MOST_IN_WATER = 0.5  # share of a telescopic joint below the surface, up to which there is no warning
 
 
-def without_inertia(scene: Resolved) -> list[str]:
+def without_inertia(scene: Resolved) -> list[RunWarning]:
     """Warnings about sections with drag but without added mass, on which waves exert no inertia force.
 
     The inertia force has the factor 1 + Ca. With a coefficient of 0 the factor is 1; with an absent field
@@ -20,15 +21,18 @@ def without_inertia(scene: Resolved) -> list[str]:
     """
     if scene.wave is None:
         return []
+    text = (
+        "{line}.added_mass: {name} has drag in waves but no added mass, so the water's acceleration exerts "
+        "no force on it; add added_mass (its coefficient 0 gives the Froude-Krylov force)"
+    )
     return [
-        f"{section.line}.added_mass: {section.name!r} has drag in waves but no added mass, so the water's "
-        "acceleration exerts no force on it; add added_mass (its coefficient 0 gives the Froude-Krylov force)"
+        warning("drag_without_added_mass", text, {"line": section.line, "name": repr(section.name)})
         for section in scene.riser
         if section.drag is not None and section.added_mass is None
     ]
 
 
-def joint_in_water(scene: Resolved) -> list[str]:
+def joint_in_water(scene: Resolved) -> list[RunWarning]:
     """A warning about a telescopic joint that is mostly in the water, which exerts no forces on it."""
     joint, surface = scene.top.telescopic_joint, scene.water.surface if scene.water else None
     ends = levels(scene, len(scene.riser) - 1)
@@ -38,7 +42,8 @@ def joint_in_water(scene: Resolved) -> list[str]:
     deep = surface - ends[1]
     if deep <= MOST_IN_WATER * joint.length:
         return []
-    return [
-        f"top.telescopic_joint: {min(deep, joint.length):.3g} m of {joint.length:.3g} m are below the water "
-        "surface, but water exerts no forces on the joint; model its part in water as a section of the riser"
-    ]
+    text = (
+        "top.telescopic_joint: {deep:.3g} m of {length:.3g} m are below the water surface, but water "
+        "exerts no forces on the joint; model its part in water as a section of the riser"
+    )
+    return [warning("joint_in_water", text, {"deep": min(deep, joint.length), "length": joint.length})]

@@ -12,7 +12,7 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 from riserstudy.inputs.misfit import Misfit
-from riserstudy.records.numerals import plain
+from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.geometry import levels
 
 if TYPE_CHECKING:
@@ -100,41 +100,46 @@ def _attached(section: Section, gravity: float, water: float) -> _Attached:
     return _Attached(mass + own, weight + (-lift if water else gravity * own), lift)
 
 
-def doubts(scene: Parts) -> list[str]:
+def doubts(scene: Parts) -> list[RunWarning]:
     """Warnings about weights that contradict diameters, and about bodies with mass but without weight.
 
     A part fixed to a pipe displaces additional water. Without contents, a section can therefore not weigh
     more than its mass minus the water that its outer diameter displaces. Above the water it displaces none,
     and cannot weigh less than its mass.
     """
-    sentences = _weightless(scene)
+    found = _weightless(scene)
     for k, section in enumerate(scene.riser):
         if None in (section.submerged_weight, section.mass, section.contents, scene.gravity):
             continue
         dry = (scene.gravity or 0.0) * (section.mass or 0.0)
         most = dry - (scene.gravity or 0.0) * (0.0 if _dips(scene, k) else _displaced(scene, k))
-        if (section.submerged_weight or 0.0) > most + DOUBTED * dry:
-            weight = f"{plain(section.submerged_weight or 0.0, 4)} N/m"
-            sentences.append(
-                f"{section.line}.submerged_weight: {weight} of section {section.name!r} is more than the "
-                f"weight of its mass minus the displaced water, {plain(most, 4)} N/m; give the weight "
-                "without contents, which the engine adds"
+        weight = section.submerged_weight or 0.0
+        values = {"line": section.line, "name": repr(section.name), "weight": weight}
+        if weight > most + DOUBTED * dry:
+            text = (
+                "{line}.submerged_weight: {weight:plain4} N/m of section {name} is more than the weight of "
+                "its mass minus the displaced water, {most:plain4} N/m; give the weight without contents, "
+                "which the engine adds"
             )
-        if _dry(scene, k) and (section.submerged_weight or 0.0) < dry - DOUBTED * dry:
-            sentences.append(
-                f"{section.line}.submerged_weight: section {section.name!r} is above the water, but its "
-                f"weight {plain(section.submerged_weight or 0.0, 4)} N/m is less than mass times gravity, "
-                f"{plain(dry, 4)} N/m; give its weight in air"
+            found.append(warning("weight_with_contents", text, {**values, "most": most}))
+        if _dry(scene, k) and weight < dry - DOUBTED * dry:
+            text = (
+                "{line}.submerged_weight: section {name} is above the water, but its weight {weight:plain4} "
+                "N/m is less than mass times gravity, {dry:plain4} N/m; give its weight in air"
             )
-    return sentences
+            found.append(warning("weight_in_water_of_a_dry_section", text, {**values, "dry": dry}))
+    return found
 
 
-def _weightless(scene: Parts) -> list[str]:
+def _weightless(scene: Parts) -> list[RunWarning]:
     """A warning for each body of some mass that has no weight, in a scene with gravity."""
     ends = {"bottom.body": scene.bottom.body, "top.body": scene.top.body}
+    text = (
+        "{path}: {name} has a mass of {mass:g} kg, but no weight, which therefore counts as zero; give its "
+        "submerged_weight, displaced_volume or density"
+    )
     return [
-        f"{path}: {body.name!r} has a mass of {body.mass:g} kg, but no weight, which therefore counts as "
-        "zero; give its submerged_weight, displaced_volume or density"
+        warning("body_without_weight", text, {"path": path, "name": repr(body.name), "mass": body.mass})
         for path, body in ends.items()
         if body and body.mass and scene.gravity and body.weightless
     ]

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS
 
 if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
 
 
-def without_time(scene: Parts) -> list[str]:
+def without_time(scene: Parts) -> list[RunWarning]:
     """A warning if a static run has keys that act in a dynamic run only."""
     if scene.analysis.duration is not None:
         return []
@@ -28,7 +29,9 @@ def without_time(scene: Parts) -> list[str]:
         lines.append("analysis.start")
     if not lines:
         return []
-    return [
-        f"{', '.join(lines)}: no effect in a static run. Give analysis.duration and analysis.output for a "
-        f"dynamic run, or remove {'these keys' if len(lines) > 1 else 'this key'}"
-    ]
+    text = (
+        "{paths}: no effect in a static run. Give analysis.duration and analysis.output for a dynamic "
+        "run, or remove {them}"
+    )
+    values = {"paths": ", ".join(lines), "them": "these keys" if len(lines) > 1 else "this key"}
+    return [warning("no_effect_in_a_static_run", text, values)]

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import SimulationError, StepFailed
-from riserstudy.records.numerals import newtons, percent, plain
+from riserstudy.records.warning import warning
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.vessel import Coupling
 from riserstudy.simulation.equilibrium import rounding
@@ -58,10 +58,11 @@ def energy(facts: RunFacts, sums: Sums, before: float, after: float, step: float
     facts["newton_iterations"] = int(sums.count[ITERATIONS])
     facts["halved_steps"] = int(sums.count[HALVED])
     if abs(residual) > UNEXPLAINED * scale:
-        facts["warnings"].append(
-            f"energy: the balance does not account for {percent(abs(residual) / scale)} of the energy "
-            "exchanged; use a finer mesh and a shorter time step"
+        text = (
+            "energy: the balance does not account for {share:percent} of the energy exchanged; use a finer "
+            "mesh and a shorter time step"
         )
+        facts["warnings"].append(warning("energy_residual", text, {"share": abs(residual) / scale}))
 
 
 def exchange(facts: RunFacts, coupling: Coupling) -> None:
@@ -74,11 +75,13 @@ def exchange(facts: RunFacts, coupling: Coupling) -> None:
     facts["audit"] = {"work_of_supports": 0.0, "made_by_exchange": made, **audit}
     if coupling.scheme == "staggered":
         share = abs(made) / max(audit["exchanged"], 1e-300)
-        facts["warnings"].append(
-            f"vessel.coupling: the staggered exchange of forces every {coupling.interval:g} s added "
-            f"{plain(made / 1e3)} kJ of spurious energy, {percent(share)} of the energy exchanged; the "
-            "estimated error does not include the error of this interval"
+        text = (
+            "vessel.coupling: the staggered exchange of forces every {interval:g} s added {made:plain} kJ of "
+            "spurious energy, {share:percent} of the energy exchanged; the estimated error does not include "
+            "the error of this interval"
         )
+        values = {"interval": coupling.interval, "made": made / 1e3, "share": share}
+        facts["warnings"].append(warning("energy_of_the_coupling", text, values))
 
 
 def finite(arrays: dict[str, FloatArray]) -> None:
@@ -111,10 +114,12 @@ def tension(scene: Resolved, arrays: dict[str, FloatArray], facts: RunFacts) -> 
     facts["smallest_tension"] = float(along[k])
     facts["smallest_tension_s"] = float(arrays["s_node"][k])
     if along[k] < -rounding(scene) and (excluded := _excluded(arrays, facts["directions"])):
-        facts["warnings"].append(
-            f"effective tension decreases to {newtons(along[k])} at s = {arrays['s_node'][k]:.4g} m: a riser "
-            f"may go slack or buckle there, which this run does not simulate, because it excludes {excluded}"
+        text = (
+            "effective tension decreases to {tension:newtons} at s = {s:.4g} m: a riser may go slack or "
+            "buckle there, which this run does not simulate, because it excludes {excluded}"
         )
+        values = {"tension": along[k], "s": arrays["s_node"][k], "excluded": excluded}
+        facts["warnings"].append(warning("negative_tension", text, values))
 
 
 def _excluded(arrays: dict[str, FloatArray], directions: int) -> str:

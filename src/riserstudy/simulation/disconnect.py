@@ -14,6 +14,7 @@ from riserstudy.model.draining import draining, flow_of
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.records.numerals import newtons
+from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation import outputs
 from riserstudy.solve.evaluate import energies, forces_and_tangent
@@ -45,10 +46,11 @@ def let_go(scene: Resolved, mesh: Mesh, facts: RunFacts, model: Model) -> Model:
             "give disconnect.stack"
         )
     if pull < -STILL * float(abs(model.s.segment).max()):
-        facts["warnings"].append(
-            f"disconnect: at {release.at:.4g} s the overpull is negative, {pull / 1e3:.4g} kN: the LMRP "
-            "presses on the BOP stack and does not lift off; increase the top tension"
+        text = (
+            "disconnect: at {at:.4g} s the overpull is negative, {pull:.4g} kN: the LMRP presses on the BOP "
+            "stack and does not lift off; increase the top tension"
         )
+        facts["warnings"].append(warning("negative_overpull", text, {"at": release.at, "pull": pull / 1e3}))
     before = energies(model.programs, model.state)[0]
     freed = released(model)
     facts["taken_by_the_release"] = before - energies(freed.programs, freed.state)[0]
@@ -89,13 +91,15 @@ def enter_lift(scene: Resolved, arrays: outputs.Arrays, facts: RunFacts) -> None
     if len(below):
         facts["recontact_time"] = float(time[below[0]])
         facts["recontact_aside"] = float(aside[below].max())
-        warning = f"disconnect: the LMRP re-contacts the stack at {time[below[0]]:.4g} s"
+        kind, values = "recontact", {"time": time[below[0]]}
+        text = "disconnect: the LMRP re-contacts the stack at {time:.4g} s"
         if scene.disconnect.stack is None:
-            warning += (
-                f" and sinks up to {-lift.min():.3g} m below it, because the scene has no stack to stop it; "
+            kind, values = "recontact_without_stack", values | {"depth": -lift.min()}
+            text += (
+                " and sinks up to {depth:.3g} m below it, because the scene has no stack to stop it; "
                 "do not use results after this time, or give disconnect.stack"
             )
-        facts["warnings"].append(warning)
+        facts["warnings"].append(warning(kind, text, values))
         if scene.disconnect.stack and facts["recontact_aside"] > ABOVE:
             facts["warnings"].append(_contact_aside(time[below], aside[below]))
     if column := flow_of(scene):
@@ -103,13 +107,14 @@ def enter_lift(scene: Resolved, arrays: outputs.Arrays, facts: RunFacts) -> None
         facts["contents_top_min"] = float(column.top.min())
 
 
-def _contact_aside(time: FloatArray, aside: FloatArray) -> str:
+def _contact_aside(time: FloatArray, aside: FloatArray) -> RunWarning:
     """A warning about contact beside the stack, from the times (s) of contact and the distances then (m)."""
-    first = time[aside > ABOVE][0]
-    return (
-        f"disconnect: the LMRP touches the level of the stack up to {aside.max():.3g} m aside from the well, "
-        f"first more than {ABOVE:g} m aside at {first:.4g} s; disconnect.stack has no width, so check that "
-        "the stack is there, and end the run before this time if it is not"
+    return warning(
+        "contact_beside_the_stack",
+        "disconnect: the LMRP touches the level of the stack up to {aside:.3g} m aside from the well, first "
+        f"more than {ABOVE:g} m aside at {{first:.4g}} s; disconnect.stack has no width, so check that the "
+        "stack is there, and end the run before this time if it is not",
+        {"aside": aside.max(), "first": time[aside > ABOVE][0]},
     )
 
 

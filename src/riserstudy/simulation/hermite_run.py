@@ -22,6 +22,7 @@ from riserstudy.model.layout import flexibility_of, stiffness
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.model.sea import current_velocity, still_surface
 from riserstudy.model.warnings_of_scene import warnings_of
+from riserstudy.records.warning import warning
 from riserstudy.scene.analysis import Newmark
 from riserstudy.scene.ends import Rotation
 from riserstudy.scene.forcing import Translation
@@ -83,10 +84,11 @@ def solve_small_angle(scene: Resolved, mesh: Mesh, step: float | None) -> Result
         facts |= {"step": step, "newton_iterations": moving.iterations}
         left_out = _stiffening(scene, mesh, rest.displacement, moving.displacement[keep]) / tension[-1]
         if left_out > STIFFENING:
-            facts["warnings"].append(
-                f"top.z is held: bending would change the top tension by about {100 * left_out:.2g} %, "
-                "which the Hermite beam does not include; use lumped masses"
+            text = (
+                "top.z is held: bending would change the top tension by about {change:.2g} %, which the "
+                "Hermite beam does not include; use lumped masses"
             )
+            facts["warnings"].append(warning("left_out_stiffening", text, {"change": 100 * left_out}))
     facts["solve_seconds"] = clock.perf_counter() - started
     return Result(arrays, facts)
 

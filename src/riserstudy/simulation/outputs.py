@@ -18,6 +18,7 @@ from riserstudy.model.platform_motion import centre
 from riserstudy.model.space_out import joint_of
 from riserstudy.model.stops import beyond_its_barrels, joint_stops_touched, stops_touched
 from riserstudy.model.tensioner_law import leaves_table, pushes
+from riserstudy.records.warning import RunWarning
 from riserstudy.scene.analysis import Output
 from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.forcing import Position
@@ -320,7 +321,7 @@ def peaks(arrays: Arrays) -> RunFacts:
     return {"largest_bending_moment": peak[0], "largest_bending_moment_s": peak[1]}
 
 
-def of_tensioners(rig: Tensioners, arrays: Arrays, every_step: Arrays) -> list[str]:
+def of_tensioners(rig: Tensioners, arrays: Arrays, every_step: Arrays) -> list[RunWarning]:
     """Warnings about cylinders that push, outside their law or at their stops, at rest and over time.
 
     ``every_step``: time, strokes and pulls of all time steps; empty if only outputs are known.
@@ -328,26 +329,26 @@ def of_tensioners(rig: Tensioners, arrays: Arrays, every_step: Arrays) -> list[s
     over_time, all_steps = every_step or arrays, bool(every_step)
     moving = [over_time["tensioner_stroke"]] if "tensioner_stroke" in over_time else []
     rest = arrays["tensioner_stroke_static"]
-    sentences = leaves_table(rig, np.concatenate([reach.ravel() for reach in (rest, *moving)]))
-    sentences += stops_touched(rig, rest)
-    sentences += pushes(arrays["tensioner_force_static"])
+    found = leaves_table(rig, np.concatenate([reach.ravel() for reach in (rest, *moving)]))
+    found += stops_touched(rig, rest)
+    found += pushes(arrays["tensioner_force_static"])
     if "tensioner_force" in over_time:
-        sentences += pushes(over_time["tensioner_force"], over_time["time"])
+        found += pushes(over_time["tensioner_force"], over_time["time"])
     for reach in moving:
-        sentences += stops_touched(rig, reach, over_time["time"], all_steps)
-    return sentences
+        found += stops_touched(rig, reach, over_time["time"], all_steps)
+    return found
 
 
-def of_joint(joint: TelescopicJoint, arrays: Arrays, every_step: Arrays) -> list[str]:
+def of_joint(joint: TelescopicJoint, arrays: Arrays, every_step: Arrays) -> list[RunWarning]:
     """Warnings about contact with the stops of a telescopic joint; arguments as in `of_tensioners`."""
     rest = joint.length + arrays["joint_stroke_static"]
-    sentences = joint_stops_touched(joint, rest.reshape(1))
+    found = joint_stops_touched(joint, rest.reshape(1))
     over_time, lengths = every_step or arrays, rest.reshape(1)
     if "joint_stroke" in over_time:
         length = joint.length + over_time["joint_stroke"][:, None]
-        sentences += joint_stops_touched(joint, length, over_time["time"], bool(every_step))
+        found += joint_stops_touched(joint, length, over_time["time"], bool(every_step))
         lengths = np.append(lengths, length)
-    return sentences + beyond_its_barrels(joint, lengths)
+    return found + beyond_its_barrels(joint, lengths)
 
 
 def _end_direction(scene: Resolved, model: Model, mesh: Mesh, record: Record, end: int) -> FloatArray:

@@ -8,13 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.model.sea import components_of, wave_numbers
+from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.forcing import TimeSeries
 from riserstudy.scene.resolve import Resolved
 
 FAR = 0.1  # motion from which on there is a warning, as a share of the wavelength
 
 
-def lost_phase(scene: Resolved, arrays: dict[str, NDArray[np.float64]]) -> list[str]:
+def lost_phase(scene: Resolved, arrays: dict[str, NDArray[np.float64]]) -> list[RunWarning]:
     """Warnings about a vessel, or a surge or sway by points, that moves along the waves of the scene.
 
     Motions in waves keep the phase of the platform's initial position, but loads on the riser have the phase
@@ -41,11 +42,12 @@ def lost_phase(scene: Resolved, arrays: dict[str, NDArray[np.float64]]) -> list[
     length = math.tau / float(wave_numbers(np.array([middle]), scene.water, scene.gravity)[0])
     if far <= FAR * length:
         return []
-    return [
-        f"{path}: moves {far:.3g} m along waves with a length of {length:.3g} m, but its motions in waves "
-        f"keep the phase of its initial position. After {FAR * length:.2g} m, do not use the phase between "
+    text = (
+        "{path}: moves {far:.3g} m along waves with a length of {length:.3g} m, but its motions in waves "
+        "keep the phase of its initial position. After {most:.2g} m, do not use the phase between "
         "these motions and the wave loads on the riser"
-    ]
+    )
+    return [warning("lost_phase", text, {"path": path, "far": far, "length": length, "most": FAR * length})]
 
 
 def _by_points(motion: object) -> NDArray[np.float64]:

@@ -9,6 +9,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError, TakesTooLong
 from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.records.numerals import at_most
+from riserstudy.records.warning import NOT_ESTIMATED, warning
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.error_estimate import LEAST_FALL, MOST_FALL, difference
 from riserstudy.simulation.halved import Halved, enter, error_of
@@ -28,7 +29,6 @@ MANY_STEPS = 96.0
 TRUSTED_ALONG = {"tension": 2.0, "stroke": 2.0, "tensioner_force": 2.0}
 ROUNDING = 1e-9  # relative rounding error of a step
 FEWEST_STEPS = 4.0  # in the period of a regular motion; with fewer, a doubled step can see its zeros alone
-NOT_ESTIMATED = "the error is not estimated, because a run for the estimate failed"
 
 
 def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
@@ -58,7 +58,8 @@ def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
     found = _error(scene, [("", own, result), *coarser], ways, watch)
     result.facts["error_estimate"] = found or {}
     if found is None:
-        result.facts["warnings"].append(NOT_ESTIMATED)
+        text = "the error is not estimated, because a run for the estimate failed"
+        result.facts["warnings"].append(warning(NOT_ESTIMATED, text))
     return result
 
 

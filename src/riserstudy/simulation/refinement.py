@@ -12,6 +12,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, TakesTooLong
 from riserstudy.model.mesh import Mesh
 from riserstudy.records.numerals import duration, percent
+from riserstudy.records.warning import RunWarning
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.convergence import RUNS, Convergence
 from riserstudy.simulation.error_estimate import difference
@@ -143,7 +144,7 @@ class Refinement:
             on += f"; {off}, about {duration(left)} to go"
         self.watch.begin(on)
 
-    def _not_reached(self, finest: Result) -> str:
+    def _not_reached(self, finest: Result) -> RunWarning:
         """The warning that the tolerance is not met."""
         return missed_accuracy(finest.facts, len(self.spent), self.watch.patience)
 

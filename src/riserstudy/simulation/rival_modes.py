@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from riserstudy.errors import SimulationError
 from riserstudy.model.vortices import shedding, synchronised
+from riserstudy.records.warning import warning
 
 if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts
@@ -47,21 +48,26 @@ def rivals(scene: Resolved) -> list[float]:
 def warn_of_rivals(scene: Resolved, facts: RunFacts) -> None:
     """Warn if a vibration might equally be in another mode, or if this cannot be determined."""
     if shedding(scene) and scene.platform and scene.platform.cruise:
-        facts["warnings"].append(
+        text = (
             "riser.viv: whether several modes compete is not checked for a platform that cruises: compare "
             "runs with other values of riser.viv.seed, and on a finer mesh"
         )
+        facts["warnings"].append(warning("competing_modes_not_checked", text))
         return
     try:
         found = rivals(scene)
     except SimulationError as error:  # of the modes; the run itself is complete
-        facts["warnings"].append(f"riser.viv: the check for several competing modes failed: {error}")
+        text = "riser.viv: the check for several competing modes failed: {error}"
+        facts["warnings"].append(warning("competing_modes_unknown", text, {"error": str(error)}))
         return
     if len(found) > 1:
-        listed = ", ".join(f"{frequency:.3g}" for frequency in found[:3])
-        more = f" and {len(found) - 3} more" if len(found) > 3 else ""
-        facts["warnings"].append(
+        values: dict[str, float] = dict(zip(("first", "second", "third"), found, strict=False))
+        listed, more = ", ".join(f"{{{name}:.3g}}" for name in values), ""
+        if len(found) > len(values):
+            values["others"], more = len(found) - len(values), " and {others} more"
+        text = (
             f"riser.viv: vortices may lock in to modes of {listed} Hz{more} along most of the riser. Which "
             "mode persists can depend on seed, mesh and step, and the estimated error does not include this: "
             "compare runs with other values of riser.viv.seed, and on a finer mesh"
         )
+        facts["warnings"].append(warning(f"competing_modes_{len(values)}", text, values))

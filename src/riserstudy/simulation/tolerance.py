@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError
 from riserstudy.records.facts import RunFacts
-from riserstudy.records.numerals import newtons, percent
+from riserstudy.records.numerals import newtons
+from riserstudy.records.warning import UNKNOWN, UNKNOWN_OVER_TIME, RunWarning, sentence, warning
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import rounding
 from riserstudy.simulation.error_estimate import controlled
-from riserstudy.simulation.time_limit import size
 
 DISPLACEMENT, MOMENT, DAMAGE = 0.002, 0.01, 0.05  # default tolerances
 PATIENT = 6  # number of refinements in which the error of a string under compression must halve
@@ -42,20 +44,25 @@ def check_error(result: Result, scene: Resolved) -> None:
     """
     if doubt := doubt_of(result.facts):
         if scene.analysis.mesh is None:
-            raise SimulationError(doubt)
+            raise SimulationError(sentence(doubt))
         result.facts["warnings"].append(doubt)
 
 
-def doubt_of(facts: RunFacts) -> str:
-    """The message for a run whose estimated error exceeds its largest value; empty for other runs."""
+def doubt_of(facts: RunFacts) -> RunWarning | None:
+    """The warning of a run whose estimated error exceeds its largest value; None for other runs."""
     error = facts.get("error_estimate", {})
     if not any(value > 1.0 for value in controlled(error).values()):
-        return ""
-    return (
-        f"the estimated error is larger than the result: {in_words(error)}, on "
-        f"{size(facts['elements'], facts.get('step'))}; use a finer mesh and a shorter time "
-        "step, or omit both: the engine then chooses them"
+        return None
+    values: dict[str, Any] = {"errors": error, "elements": facts["elements"]}
+    kind, steps = UNKNOWN, ""
+    if "step" in facts:
+        kind, steps = UNKNOWN_OVER_TIME, ", steps of {step:.3g} s"
+        values["step"] = facts["step"]
+    text = (
+        f"the estimated error is larger than the result: {{errors:percent}}, on {{elements}} segments{steps};"
+        " use a finer mesh and a shorter time step, or omit both: the engine then chooses them"
     )
+    return warning(kind, text, values)
 
 
 def raise_if_buckling(scene: Resolved, finer: Result, excess: list[float]) -> None:
@@ -75,8 +82,3 @@ def raise_if_buckling(scene: Resolved, finer: Result, excess: list[float]) -> No
             f"wavelength, so peaks did not converge in {len(excess)} runs on finer meshes; give bending "
             "stiffness to every section, or set analysis.mesh and step yourself"
         )
-
-
-def in_words(error: dict[str, float]) -> str:
-    """Relative errors (1) by quantity, as text in per cent."""
-    return ", ".join(f"{name.replace('_', ' ')} {percent(value)}" for name, value in error.items())

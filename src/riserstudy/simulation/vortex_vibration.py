@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import SimulationError
 from riserstudy.model.vortices import ramp_of, shedding, shedding_period, shortest_shedding_period, slowest
-from riserstudy.records.numerals import at_most
+from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.limits import ANGLES
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.vortex_vibration_statistics import (
@@ -68,18 +68,21 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
     facts["warnings"] += _too_long(scene, step, fastest)
     late = arrays["time"] >= start
     if int(late.sum()) < FEWEST:
-        facts["warnings"].append(
-            f"riser.viv: fewer than {FEWEST} outputs after {start:.4g} s, too few for statistics of the "
+        text = (
+            f"riser.viv: fewer than {FEWEST} outputs after {{start:.4g}} s, too few for statistics of the "
             "vibration. Run longer, or with a shorter analysis.output.interval"
         )
+        facts["warnings"].append(warning("few_outputs_of_a_vibration", text, {"start": start}))
         return
     period, name = _shortest_period(scene, fastest)
+    values = {"interval": interval, "name": name, "period": period, "advised": period / OUTPUTS}
     if interval > period / FOLDED:
-        facts["warnings"].append(
-            f"riser.viv: outputs every {interval:.3g} s may show fast vibrations as slow motion, since the "
-            f"{name} is {period:.3g} s, so statistics of the vibration are not computed; "
-            f"give an analysis.output.interval of {at_most(period / OUTPUTS, 2)} s"
+        text = (
+            "riser.viv: outputs every {interval:.3g} s may show fast vibrations as slow motion, since the "
+            "{name} is {period:.3g} s, so statistics of the vibration are not computed; "
+            "give an analysis.output.interval of {advised:at_most} s"
         )
+        facts["warnings"].append(warning("slow_outputs_of_a_vibration", text, values))
         return
     time, above = arrays["time"][late], slowest(scene)
     parts = [vibration(arrays[name][late], time, above) for name in ("x", "y")]
@@ -92,10 +95,11 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
     if facts["vibration_rms"] <= NONE * arrays["s"][-1]:
         return
     if scene.shortest_period and above * scene.shortest_period < 1.0:
-        facts["warnings"].append(
-            f"riser.viv: the statistics of vibration include motion due to waves and the platform above "
-            f"{above:.3g} Hz. To find its part, repeat the run with riser[*].viv: null"
+        text = (
+            "riser.viv: the statistics of vibration include motion due to waves and the platform above "
+            "{above:.3g} Hz. To find its part, repeat the run with riser[*].viv: null"
         )
+        facts["warnings"].append(warning("vibration_with_other_motion", text, {"above": above}))
     facts["vibration_scatter"] = _scatter(parts, arrays["s"])
     often = interval <= period / OUTPUTS
     histories = {name: arrays[name][late] for name in FIELDS if name in arrays}
@@ -105,21 +109,26 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
     if often:
         facts["vibration_frequency"] = frequency(time, principal(parts, most))
         return
-    facts["warnings"].append(
-        f"riser.viv: outputs every {interval:.3g} s cannot resolve the {name} of "
-        f"{period:.3g} s, so no frequency is computed; give an analysis.output.interval of "
-        f"{at_most(period / OUTPUTS, 2)} s"
+    text = (
+        "riser.viv: outputs every {interval:.3g} s cannot resolve the {name} of {period:.3g} s, so no "
+        "frequency is computed; give an analysis.output.interval of {advised:at_most} s"
     )
+    facts["warnings"].append(warning("no_frequency_of_a_vibration", text, values))
 
 
-def _too_long(scene: Resolved, step: float, fastest: float) -> list[str]:
+def _too_long(scene: Resolved, step: float, fastest: float) -> list[RunWarning]:
     """A warning if a time step (s) is too long for the shortest shedding period (s); else none."""
     if step <= fastest / STEPS:
         return []
-    waves = " in current, waves and motions of the platform" if fastest < shedding_period(scene) else ""
+    kind, waves = "long_step_of_vortices", ""
+    if fastest < shedding_period(scene):
+        kind, waves = f"{kind}_in_waves", " in current, waves and motions of the platform"
+    text = (
+        "riser.viv: the time step is too long: {steps:.3g} steps per shortest shedding period of "
+        f"{{period:.3g}} s{waves}; use a time step of {{advised:.2g}} s"
+    )
     return [
-        f"riser.viv: the time step is too long: {fastest / step:.3g} steps per shortest shedding period "
-        f"of {fastest:.3g} s{waves}; use a time step of {fastest / (2 * STEPS):.2g} s"
+        warning(kind, text, {"steps": fastest / step, "period": fastest, "advised": fastest / (2 * STEPS)})
     ]
 
 

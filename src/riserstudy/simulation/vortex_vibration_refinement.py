@@ -9,11 +9,11 @@ estimated error. If it alone exceeds the tolerance, the run has a warning.
 from __future__ import annotations
 
 from riserstudy.dataset.result import Result
+from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.convergence import Convergence
 from riserstudy.simulation.refinement import Refinement
 from riserstudy.simulation.time_limit import Watch
-from riserstudy.simulation.tolerance import in_words
 
 # largest number of halvings of mesh and of step: statistics that still change are of another vibration
 HALVINGS = 4
@@ -56,11 +56,13 @@ class VibrationRefinement(Refinement):
         error = finest.facts["error_estimate"]
         excess = self.convergence.excess(error)
         if excess > 1.0 and self.convergence.next_way() is None:
-            finest.facts["warnings"].append(
-                f"accuracy not reached: statistics of runs of this length scatter by {in_words(error)}. "
-                "Finer meshes and shorter steps do not reduce this scatter; run longer by a factor of about "
-                f"{excess**2:.2g}, or run several seeds"
+            text = (
+                "accuracy not reached: statistics of runs of this length scatter by {errors:percent}. Finer "
+                "meshes and shorter steps do not reduce this scatter; run longer by a factor of about "
+                "{longer:.2g}, or run several seeds"
             )
+            values = {"errors": error, "longer": excess**2}
+            finest.facts["warnings"].append(warning("scatter_of_a_vibration", text, values))
         return finest
 
     def _halve(self, way: str) -> None:
@@ -70,9 +72,10 @@ class VibrationRefinement(Refinement):
     def _too_fine(self, way: str) -> bool:
         return self.halvings[way] >= HALVINGS or super()._too_fine(way)
 
-    def _not_reached(self, finest: Result) -> str:
+    def _not_reached(self, finest: Result) -> RunWarning:
         """The warning about statistics that still change with finer runs."""
         why = super()._not_reached(finest)
         if max(self.halvings.values()) < HALVINGS:
             return why
-        return f"{why}. The riser may vibrate in one mode or in another: compare several seeds"
+        text = f"{why['text']}. The riser may vibrate in one mode or in another: compare several seeds"
+        return warning(f"{why['kind']}_of_a_vibration", text, why["values"])

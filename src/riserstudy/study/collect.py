@@ -21,6 +21,7 @@ from riserstudy.dataset.title import titled
 from riserstudy.dataset.variables import attributes, cf_unit
 from riserstudy.errors import SimulationError
 from riserstudy.records.facts import point_columns
+from riserstudy.records.warning import OF_ESTIMATE
 from riserstudy.records.words import counted
 from riserstudy.scene.paths import as_name, within
 from riserstudy.simulation.curve import at_stations, between_nodes, curve_of
@@ -109,13 +110,8 @@ def _without_estimate(facts: RunFacts) -> RunFacts:
     """
     if "error_estimate" not in facts or "refinements" in facts:
         return facts
-    # which load the engine
-    from riserstudy.simulation.prescribed_run import NOT_ESTIMATED
-    from riserstudy.simulation.tolerance import doubt_of
-
-    of_estimate = (NOT_ESTIMATED, doubt_of(facts))
     other = {name: value for name, value in facts.items() if name != "error_estimate"}
-    other["warnings"] = [warning for warning in facts["warnings"] if warning not in of_estimate]
+    other["warnings"] = [one for one in facts["warnings"] if one["kind"] not in OF_ESTIMATE]
     return cast("RunFacts", other)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +16,7 @@ from riserstudy.dataset.place import own_values, place
 from riserstudy.dataset.provenance import read_provenance, scene_file_of
 from riserstudy.files.digests import engine_digest
 from riserstudy.records.facts import point_columns
+from riserstudy.records.warning import NOT_ESTIMATED
 from riserstudy.study.collect import laid_on, statistics
 from riserstudy.study.common_nodes import NODE_DIGITS
 from riserstudy.study.limits import uses
@@ -52,7 +54,6 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     import xarray as xr
 
     from riserstudy.model.absent_effects import absent
-    from riserstudy.simulation.prescribed_run import NOT_ESTIMATED
     from riserstudy.simulation.refine import run
 
     engine = read_provenance(dataset)["engine"]
@@ -60,7 +61,7 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     point = own_values(dataset.isel(index))
     estimated = bool(
         point.get("error_estimated", np.isfinite(point.get("error_displacement", 0.0)))
-    ) or NOT_ESTIMATED in str(point.get("warnings", xr.DataArray("")).item())
+    ) or NOT_ESTIMATED in _kinds(point)
     file = scene_file_of(dataset, index)
     result = run(file.resolved(), estimated=estimated)
     limits = uses(file, result, dataset) if "limit" in point.dims else {}
@@ -84,6 +85,12 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
         },
         whole,
     )
+
+
+def _kinds(point: xr.Dataset) -> set[str]:
+    """Kinds of the warnings of a point."""
+    records = point["warning_records"].item() if "warning_records" in point else "[]"
+    return {one["kind"] for one in json.loads(records)}
 
 
 def _modes(file: SceneFile, point: xr.Dataset) -> dict[str, NDArray[Any]]:

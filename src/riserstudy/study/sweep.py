@@ -22,6 +22,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.inputs.validate import check
 from riserstudy.records.numerals import duration
+from riserstudy.records.warning import sentence
 from riserstudy.records.words import counted
 from riserstudy.scene.fields import in_si
 from riserstudy.scene.load import SceneFile, read_scene
@@ -166,8 +167,8 @@ def _doubt(study: Sweep, results: Mapping[str, Result]) -> str:
     if not doubts:
         return ""
     first = next(p for p in study.plan if p.key in doubts)
-    place = study.place(first.index)
-    return f"sweep: {counted(len(doubts), 'point')} without a known result; at {place}: {doubts[first.key]}"
+    at = f"at {study.place(first.index)}: {sentence(doubts[first.key])}"
+    return f"sweep: {counted(len(doubts), 'point')} without a known result; {at}"
 
 
 def _dataset(study: Sweep, results: Mapping[str, Result], failures: Mapping[str, object]) -> xr.Dataset:
