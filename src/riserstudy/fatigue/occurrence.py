@@ -110,7 +110,8 @@ def _heads(
                 found = "two columns state how often sea states occur"
                 raise InputError(path, name, found, "remove one of them")
             if unit != WEIGHTS[name]:
-                allowed = f"write {name} ({WEIGHTS[name]})".replace(" ()", " without a unit")
+                unit_of = f"({WEIGHTS[name]})" if WEIGHTS[name] else "without a unit"
+                allowed = f"write {name} {unit_of}"
                 raise InputError(path, name, f"the unit {unit!r} is wrong", allowed)
             weight = k
         elif (axis := axis_of(name, axes)) is None:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from riserstudy.records.words import sentence
 from riserstudy.report.claims import Claim, counted_verdicts
 from riserstudy.report.pictures import Figure
-from riserstudy.report.wording import counted
+from riserstudy.report.wording import counted, spaced
 from riserstudy.study.models import StudyFile
 
 WORDS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine")
@@ -104,8 +104,9 @@ def _figure_with_title(own: list[Figure]) -> Figure | None:
 
 def amounts(claims: list[Claim], datasets: int, figures: int, points: int) -> str:
     """Return the amounts of claims, datasets, figures and points in one line."""
+    several = f"{spaced(len(claims))} published values and claims"
     things = [
-        counted(len(claims), "published value or claim").replace("value or claims", "values and claims"),
+        "1 published value or claim" if len(claims) == 1 else several,
         counted(figures, "figure"),
         counted(datasets, "dataset"),
         counted(points, "grid point"),

@@ -158,10 +158,11 @@ def _varied(dataset: xr.Dataset) -> list[str]:
         name = str(axis).replace("_", " ")
         if values.dtype.kind == "f":
             of = str(dataset[axis].attrs.get("units", ""))
-            ends = " to ".join(dict.fromkeys((f"{values.min():g}", f"{values.max():g}")))
-            has = "the value" if len(values) == 1 else f"{len(values)} values, from"
-            if len(values) == 2:
-                has, ends = "the values", ends.replace(" to ", " and ")
+            two = len(values) == 2
+            ends = (" and " if two else " to ").join(
+                dict.fromkeys((f"{values.min():g}", f"{values.max():g}"))
+            )
+            has = {1: "the value", 2: "the values"}.get(len(values), f"{len(values)} values, from")
             words.append(f"“{name}” has {has} {ends}{after_number(of)}.")
         elif values.dtype.kind in "iu":
             are = "is" if len(values) == 1 else "are"
