@@ -25,7 +25,7 @@ from riserstudy.database.ask import NAME, ask, opened
 from riserstudy.database.build import build
 from riserstudy.database.sources import Sources
 from riserstudy.database.wide_table import facts_of_points
-from riserstudy.study.collect import write_dataset
+from riserstudy.dataset.write_dataset import write_dataset
 
 ROOT = Path(__file__).resolve().parents[1]
 SCENE = "scenes/bench/s2c.yaml"

@@ -31,7 +31,6 @@ from riserstudy.simulation.refine import run
 from riserstudy.solve.kernel_cache import kernel_cache
 from riserstudy.study import simulate_points
 from riserstudy.study.corners import others
-from riserstudy.study.join import write_study
 from riserstudy.study.models import Numbers
 from riserstudy.study.quick_tune import finer
 from riserstudy.study.setting import Setting, layers_of
@@ -39,6 +38,7 @@ from riserstudy.study.settings import tuned_for
 from riserstudy.study.study import Study
 from riserstudy.study.study_model import StudyModel
 from riserstudy.study.tune import Tuner, described
+from riserstudy.study.write_study import write_study
 
 VALUES, SPREAD = 8, 0.15  # of each of two inputs; to either side
 SURGE = ("platform.surge.amplitude", "platform.surge.period")

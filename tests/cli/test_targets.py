@@ -173,9 +173,9 @@ def inputs(tmp_path_factory):
         db.execute("insert into about values ('1', 'test')")
         db.execute("insert into files values ('reproduction.csv', 'table', 9, ?)", ("0" * 64,))
     db.close()
+    from riserstudy.dataset.write_dataset import write_dataset
     from riserstudy.scene.load import read_scene
     from riserstudy.simulation.simulate import simulate
-    from riserstudy.study.collect import write_dataset
 
     scene = read_scene(folder / "scene.yaml")
     write_dataset(simulate(scene), folder / "run.nc")

@@ -14,8 +14,8 @@ from compare import wrong
 
 from riserstudy.database import build as building
 from riserstudy.database.write_study import remove_unused
+from riserstudy.dataset.write_dataset import write_dataset
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.study.collect import write_dataset
 
 DATASETS = 8
 

@@ -16,10 +16,11 @@ from riserstudy import simulate
 from riserstudy.database import wide_table, write_study
 from riserstudy.database.build import build
 from riserstudy.database.sources import Sources
+from riserstudy.dataset.write_dataset import write_dataset
 from riserstudy.files.cache import cache_folder
 from riserstudy.scene.load import SceneFile
 from riserstudy.study import store
-from riserstudy.study.collect import dataset_of, results_of, write_dataset
+from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
 

@@ -13,9 +13,9 @@ from warned_rigs import warned_run
 
 from riserstudy import query
 from riserstudy.dataset.diff import changes
+from riserstudy.dataset.write_dataset import write_dataset
 from riserstudy.records.warning import sentences
 from riserstudy.report.audit import warned
-from riserstudy.study.collect import write_dataset
 
 SURGE = workspace.RESULTS / "plain/surge.nc"
 POINTS = 6

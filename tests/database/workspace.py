@@ -12,8 +12,9 @@ from ruamel.yaml import YAML
 from riserstudy.database.ask import NAME
 from riserstudy.database.build import build
 from riserstudy.database.sources import Sources
+from riserstudy.dataset.write_dataset import write_dataset
 from riserstudy.records.graded import Grounds, Influence, Share
-from riserstudy.study.collect import dataset_of, results_of, write_dataset
+from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
 

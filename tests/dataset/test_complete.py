@@ -12,7 +12,7 @@ from short_study import lay_out, simulated
 from riserstudy.chapters.derive import derive
 from riserstudy.dataset.complete import complete
 from riserstudy.dataset.variables import cf_unit
-from riserstudy.study.collect import write_dataset
+from riserstudy.dataset.write_dataset import write_dataset
 from riserstudy.study.new import TEMPLATE
 
 

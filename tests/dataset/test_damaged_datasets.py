@@ -12,10 +12,10 @@ from random_rigs import moving, written
 from riserstudy.dataset.label import to_dataset
 from riserstudy.dataset.netcdf import LINE, MARK
 from riserstudy.dataset.open import open_dataset, open_results
+from riserstudy.dataset.write_dataset import write_dataset
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
-from riserstudy.study.collect import write_dataset
 
 BITS = 60  # flipped per rig
 

@@ -8,8 +8,8 @@ import xarray as xr
 
 from riserstudy import simulate
 from riserstudy.dataset.label import coordinates
+from riserstudy.dataset.write_dataset import write_dataset
 from riserstudy.scene.load import SceneFile
-from riserstudy.study.collect import write_dataset
 
 PIPE = {
     "name": "riser",

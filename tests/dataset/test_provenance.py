@@ -12,10 +12,10 @@ import pytest
 import xarray as xr
 
 from riserstudy.dataset.provenance import scene_file_of
+from riserstudy.dataset.write_dataset import write_dataset
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.simulate import simulate
-from riserstudy.study.collect import write_dataset
 
 TABLE = "elevation (m), speed (m/s)\n0, 0\n300, 0.4\n"
 OWN = "../tables/current.csv"

@@ -219,7 +219,7 @@ def test_a_step_of_the_wall_is_pushed_by_the_water_on_it(tmp_path):
 
 def test_the_command_converts_by_the_scene_of_the_dataset(tmp_path, commands):
     """A range graph in OrcaFlex's words, from the top: the wall's dry weight, and the convention printed."""
-    from riserstudy.study.collect import write_dataset
+    from riserstudy.dataset.write_dataset import write_dataset
 
     tree = scene(np.random.default_rng(11))
     file = SceneFile("pipe.yaml", tree)

@@ -9,9 +9,10 @@ from riserstudy.chapters import derive as chapter
 from riserstudy.database.parameters import parameters_of
 from riserstudy.database.read_dataset import read_dataset
 from riserstudy.dataset.origins import origins_of
+from riserstudy.dataset.write_dataset import write_dataset
 from riserstudy.grading.grade import Found, graded
 from riserstudy.grading.models import Item
-from riserstudy.study.collect import dataset_of, results_of, write_dataset
+from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.models import StudyFile
 from riserstudy.study.study import Study
 

@@ -8,7 +8,7 @@ import pytest
 
 from riserstudy.report.audit import ERRORS, NO_REASON, audit, missed, relevant_errors, warned
 from riserstudy.report.wording import counted, spaced
-from riserstudy.scene.outputs import QUANTITIES
+from riserstudy.scene.quantities import QUANTITIES
 
 COLUMNS = ["error_displacement", "error_moment", "error_tension", "error_angle"]
 OTHERS = [f"error_{name}" for name in ERRORS if f"error_{name}" not in COLUMNS]

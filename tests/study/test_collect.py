@@ -10,8 +10,9 @@ import xarray as xr
 
 from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes
+from riserstudy.dataset.write_dataset import write_dataset
 from riserstudy.study.axes import Numbers
-from riserstudy.study.collect import _named, dataset_of, laid_on, write_dataset
+from riserstudy.study.collect import _named, dataset_of, laid_on
 from riserstudy.study.grid import Grid, Point
 from riserstudy.study.simulate_points import has_error_estimate, lacks
 from riserstudy.study.study import Study

@@ -12,12 +12,13 @@ from short_study import CURRENT, SCENE
 import riserstudy
 from riserstudy.database import prune
 from riserstudy.database.read_dataset import read_dataset
+from riserstudy.dataset.write_dataset import write_dataset
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.inputs.plain_yaml import plain_yaml
 from riserstudy.scene.load import read_scene
 from riserstudy.study import modes as of_study
 from riserstudy.study import simulate_points
-from riserstudy.study.collect import dataset_of, results_of, write_dataset
+from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.new import new_study
 from riserstudy.study.repeat_point import rerun
 from riserstudy.study.study import Study

@@ -5,7 +5,7 @@ import pytest
 import short_study
 import xarray as xr
 
-from riserstudy.study import join
+from riserstudy.study import write_study
 
 STUDY = """\
 paper: parts
@@ -44,7 +44,7 @@ def test_verdicts_of_parts_are_those_of_the_whole(study, tmp_path, monkeypatch, 
     errors = {key: dict(zip(NAMES, draw.uniform(0.01, 0.1, 5).tolist(), strict=True)) for key in known}
     if seed % 2:
         errors[known[draw.integers(len(known))]] = dict.fromkeys(NAMES, float(draw.uniform(0.11, 0.3)))
-    results_of = join.results_of
+    results_of = write_study.results_of
 
     def drawn(of, *given):
         results, more = results_of(of, *given)
@@ -52,10 +52,10 @@ def test_verdicts_of_parts_are_those_of_the_whole(study, tmp_path, monkeypatch, 
             result.facts["error_estimate"] = errors.get(point.key, {})
         return results, more
 
-    monkeypatch.setattr(join, "results_of", drawn)
-    join.write_study(study, tmp_path / "whole.nc", 1, lambda _: None)
-    monkeypatch.setattr(join, "AT_ONCE", int(draw.integers(2, 28)))
-    join.write_study(study, tmp_path / "parts.nc", 1, lambda _: None)
+    monkeypatch.setattr(write_study, "results_of", drawn)
+    write_study.write_study(study, tmp_path / "whole.nc", 1, lambda _: None)
+    monkeypatch.setattr(write_study, "AT_ONCE", int(draw.integers(2, 28)))
+    write_study.write_study(study, tmp_path / "parts.nc", 1, lambda _: None)
     with xr.open_dataset(tmp_path / "whole.nc") as whole, xr.open_dataset(tmp_path / "parts.nc") as parts:
         xr.testing.assert_identical(whole, parts)
         assert len(np.unique(whole["verdict_of_limit"])) > 1
@@ -65,9 +65,9 @@ def test_verdicts_of_parts_are_those_of_the_whole(study, tmp_path, monkeypatch, 
 @pytest.mark.parametrize("at_once", [7, 11, 29, 30, 500])
 def test_progress_counts_all_points_of_a_study_in_parts(study, tmp_path, monkeypatch, at_once):
     monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path / "empty"))
-    monkeypatch.setattr(join, "AT_ONCE", at_once)
+    monkeypatch.setattr(write_study, "AT_ONCE", at_once)
     counts, told = [], []
-    join.write_study(study, tmp_path / "parts.nc", 1, told.append, lambda *of: counts.append(of))
+    write_study.write_study(study, tmp_path / "parts.nc", 1, told.append, lambda *of: counts.append(of))
     done = [done for done, _ in counts]  # at the beginning of each part, too
     assert done == sorted(done)
     assert set(done) == {*range(31)}

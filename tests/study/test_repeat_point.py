@@ -7,11 +7,12 @@ import pytest
 import xarray as xr
 from short_study import lay_out, simulated
 
+from riserstudy.dataset.write_dataset import write_dataset
 from riserstudy.errors import InputError
 from riserstudy.scene.load import read_scene
 from riserstudy.simulation import prescribed_run
 from riserstudy.simulation.simulate import simulate
-from riserstudy.study.collect import dataset_of, results_of, write_dataset
+from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.models import StudyFile
 from riserstudy.study.repeat_point import rerun
 from riserstudy.study.study import Study

@@ -12,9 +12,10 @@ from short_study import CURRENT, SCENE
 
 from riserstudy.dataset.place import complete
 from riserstudy.dataset.statistics_tables import of_a_run
+from riserstudy.dataset.write_dataset import write_dataset
 from riserstudy.errors import InputError
 from riserstudy.study import store
-from riserstudy.study.collect import dataset_of, results_of, write_dataset
+from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.models import StudyFile
 from riserstudy.study.repeat_point import rerun
 from riserstudy.study.study import Study

@@ -19,7 +19,6 @@ from riserstudy.simulation.refinement import Refinement
 from riserstudy.simulation.run import single
 from riserstudy.study import settings, store
 from riserstudy.study.corners import others
-from riserstudy.study.join import write_study
 from riserstudy.study.repeat_point import rerun
 from riserstudy.study.setting import Setting
 from riserstudy.study.settings import (
@@ -31,6 +30,7 @@ from riserstudy.study.settings import (
     write_settings,
 )
 from riserstudy.study.simulate_points import attempt
+from riserstudy.study.write_study import write_study
 
 STUDIES = """\
 paper: settings

@@ -11,7 +11,8 @@ import xarray as xr
 from riserstudy.database.build import build
 from riserstudy.database.sources import Sources
 from riserstudy.dataset.variables import attributes
-from riserstudy.study.collect import dataset_of, results_of, write_dataset
+from riserstudy.dataset.write_dataset import write_dataset
+from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
 

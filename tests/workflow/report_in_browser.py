@@ -13,9 +13,10 @@ from selenium.webdriver.support.ui import WebDriverWait
 
 from riserstudy.database.build import build
 from riserstudy.database.sources import Sources as Built
+from riserstudy.dataset.write_dataset import write_dataset
 from riserstudy.report import write_report
 from riserstudy.report.contents import Sources
-from riserstudy.study.collect import dataset_of, results_of, write_dataset
+from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
 

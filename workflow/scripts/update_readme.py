@@ -25,7 +25,7 @@ WORDS = (
         "depend on omitted inputs or on an interpretation",
     ),
     (("fails",), "fails", "fail"),
-    (("calibrated",), "is met with a fitted input", "are met with a fitted input"),
+    (("calibrated",), "agrees only with a fitted input", "agree only with a fitted input"),
     (
         ("not comparable", "not reproducible"),
         "cannot be checked or compared",

@@ -201,7 +201,7 @@ def write_table(table: Table, csv: Path | None) -> None:
 def save_dataset(dataset: xr.Dataset, output: Path | None) -> None:
     """Write a dataset if ``--output`` names a file, and print the name of the file."""
     if output is not None:
-        from riserstudy.study.collect import write_dataset
+        from riserstudy.dataset.write_dataset import write_dataset
 
         write_dataset(dataset, output)
         wrote(output)

@@ -98,7 +98,7 @@ def _write(dataset: xr.Dataset, output: Path, units: UnitSystem) -> None:
         made = tables.table_of(kind, None, dataset)
         tables.write_csv(tables.in_units(made, units), output)
         return
-    from riserstudy.study.collect import write_dataset
+    from riserstudy.dataset.write_dataset import write_dataset
 
     write_dataset(dataset, output)
 

@@ -10,8 +10,8 @@ from riserstudy.records.numerals import newtons, percent
 from riserstudy.scene.limit_inputs import lacks, lacks_outputs, times_of_mean
 from riserstudy.scene.limits import ALONG, OF_THE_RISER, SIGNED, UNITS, Limit
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.outputs import QUANTITIES
 from riserstudy.scene.pressures import not_in_demand
+from riserstudy.scene.quantities import QUANTITIES
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 

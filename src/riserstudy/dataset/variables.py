@@ -10,7 +10,7 @@ from riserstudy.dataset.chapter_variables import joined_tables
 from riserstudy.files.chapters import own_chapters
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.records.facts import point_columns
-from riserstudy.scene.outputs import QUANTITIES
+from riserstudy.scene.quantities import QUANTITIES
 
 ENDINGS = {"_max": "largest ", "_min": "smallest ", "_absmax": "largest size of ", "_static": "static "}
 OVER_TIME = {"_deviation": "standard deviation of ", "_spectrum": "spectral density of "}

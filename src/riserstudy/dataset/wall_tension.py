@@ -22,8 +22,8 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.scene.geometry import levels
-from riserstudy.scene.outputs import wall_lacks
 from riserstudy.scene.pressures import pressures
+from riserstudy.scene.quantities import wall_lacks
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 

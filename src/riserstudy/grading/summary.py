@@ -33,7 +33,7 @@ PLURALS = {
         "can be neither confirmed nor refuted, because it depends on omitted inputs or on an interpretation",
         "can be neither confirmed nor refuted, because they depend on omitted inputs or on an interpretation",
     ),
-    "calibrated": ("is met with a fitted input", "are met with a fitted input"),
+    "calibrated": ("agrees only with a fitted input", "agree only with a fitted input"),
     "not comparable": ("has another definition in the paper", "have other definitions in the papers"),
     "not reproducible": ("cannot be checked", "cannot be checked"),
 }

@@ -44,7 +44,7 @@ LOADED = (
     "riserstudy.jobs.workplan",
 )
 # which take a second, and which a single figure does not need
-WHEN_IDLE = ("riserstudy.study.join", "riserstudy.grading.grade")
+WHEN_IDLE = ("riserstudy.study.write_study", "riserstudy.grading.grade")
 MANY = 8  # number of jobs from which it pays to load modules that may not be needed
 
 

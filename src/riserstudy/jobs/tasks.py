@@ -153,8 +153,8 @@ def simulate(
     paper: str, study: str, target: Path, tier: Tier, threads: Threads, expect: Expect, settings: Tuned = None
 ) -> None:
     """Simulate the points of a study that the store lacks, and write its dataset."""
-    from riserstudy.study.join import write_study
     from riserstudy.study.settings import read_settings
+    from riserstudy.study.write_study import write_study
 
     plan = read_plan(tier, [paper], only=[(paper, study)])
     check_unchanged(plan.study_digest(paper, study), expect)
@@ -341,7 +341,7 @@ def report(
 
 def _write(dataset: xr.Dataset, target: Path) -> None:
     """Write a dataset, and seal it."""
-    from riserstudy.study.collect import write_dataset
+    from riserstudy.dataset.write_dataset import write_dataset
 
     write_dataset(dataset, target)
     _seal(target)

@@ -32,7 +32,7 @@ from riserstudy.study.store import canonical, key_of
 from riserstudy.study.study import settings_path, threads_worth
 
 #: modules that join points, derive, grade and report
-COLLECT, DERIVE = "riserstudy.study.join", "riserstudy.chapters.derive"
+COLLECT, DERIVE = "riserstudy.study.write_study", "riserstudy.chapters.derive"
 MEASURE = "riserstudy.chapters.measure"
 SETTINGS = "riserstudy.study.settings"
 SEAS = "riserstudy.seas.seas_hours"

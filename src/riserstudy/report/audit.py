@@ -20,7 +20,7 @@ from riserstudy.records.words import counted, listed
 from riserstudy.report.without_points import WithoutPoints, without_points
 from riserstudy.report.wording import share, spaced
 from riserstudy.scene.fields import in_si
-from riserstudy.scene.outputs import QUANTITIES
+from riserstudy.scene.quantities import QUANTITIES
 from riserstudy.study.models import StudyFile
 from riserstudy.study.study_model import StudyModel
 

@@ -244,10 +244,10 @@ class Top(Strict):
     not given. With ``held_at_tension``, the engine computes the height at which the top is held. At this
     height, the vertical component of the pull on the static riser equals the given force. If there is a body
     at the top, the pull just below the body equals this force. For this computation, the platform is in its
-    position in calm water, and the current has its full speed. If ``x`` follows the platform, a flex joint or
-    clamp at the top rotates with the platform. With a telescopic joint, the top is the upper end of the
-    joint. Then ``tension``, ``tensioners``, ``lateral_force`` and ``body`` are at the tension ring, below the
-    joint.
+    position in calm water, and the current has its full speed. With ``x: platform``, or with ``x: vessel``
+    and a ``platform`` in the scene, a flex joint or clamp at the top rotates with the platform. With a
+    telescopic joint, the top is the upper end of the joint. Then ``tension``, ``tensioners``,
+    ``lateral_force`` and ``body`` are at the tension ring, below the joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 from riserstudy.scene.limits import Limit
-from riserstudy.scene.outputs import QUANTITIES, wall_lacks
+from riserstudy.scene.quantities import QUANTITIES, wall_lacks
 
 if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts

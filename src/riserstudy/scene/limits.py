@@ -9,7 +9,7 @@ from pydantic import Field, field_validator, model_validator
 
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
-from riserstudy.scene.outputs import QUANTITIES
+from riserstudy.scene.quantities import QUANTITIES
 from riserstudy.scene.units import to_si
 
 #: outputs that may have a limit, with the SI unit that the text of the limit is converted to

@@ -54,7 +54,7 @@ class Sand(Strict):
 
 
 class ResistanceAt(Strict):
-    """Soil resistance per length of conductor at a depth below the mudline and a displacement."""
+    """Point of a p-y curve: depth below the mudline, displacement, resistance per length of conductor."""
 
     depth: Annotated[u.Length, NOT_NEGATIVE]
     displacement: Annotated[u.Length, POSITIVE]

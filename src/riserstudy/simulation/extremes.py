@@ -12,7 +12,7 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.records.seen import Peak, Seen
 from riserstudy.scene.limit_inputs import lacks_outputs, times_of_mean
 from riserstudy.scene.limits import ALONG, UNITS
-from riserstudy.scene.outputs import QUANTITIES, wall_lacks
+from riserstudy.scene.quantities import QUANTITIES, wall_lacks
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.section_forces import riser_foot
 from riserstudy.simulation.step_peaks import peaks_of

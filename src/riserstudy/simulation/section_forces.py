@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
-from riserstudy.scene.outputs import wall_lacks
+from riserstudy.scene.quantities import wall_lacks
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.curve import curve_of
 from riserstudy.simulation.wall_stress import along_the_riser, nodes_of, wall_of

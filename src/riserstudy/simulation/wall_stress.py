@@ -24,8 +24,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
-from riserstudy.scene.outputs import wall_lacks
 from riserstudy.scene.pressures import pressures as columns_at_rest
+from riserstudy.scene.quantities import wall_lacks
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 

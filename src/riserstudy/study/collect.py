@@ -4,17 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Collection
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.chapter_variables import chapter_table
-from riserstudy.dataset.complete import complete
 from riserstudy.dataset.extremes import OF_A_RUN, OVER, as_variables, of_runs
 from riserstudy.dataset.label import UNLABELLED, coordinates, dimensions, history, quantities, with_details
-from riserstudy.dataset.netcdf import write_netcdf
 from riserstudy.dataset.provenance import provenance_of_study
 from riserstudy.dataset.result import Result
 from riserstudy.dataset.title import titled
@@ -42,8 +39,6 @@ if TYPE_CHECKING:
 
 
 HISTORIES = frozenset(("x", "y", "z", "effective_tension", "bending_moment"))  # over s
-PACKED = {"zlib": True, "complevel": 3}  # compression of large arrays
-ROUNDED = {"significant_digits": 10, "quantize_mode": "GranularBitRound"}
 # attempts to simulate a point: a parallel study may store the point without arrays that this study keeps
 ATTEMPTS = 3
 SMALL = 4096  # size in bytes up to which equal arrays of several points are stored once
@@ -340,34 +335,3 @@ def _about(study: Study, results: list[Result]) -> dict[str, Any]:
         **({"error_because": because} if (because := study.model.error_because) else {}),
         "history": history(f"simulated study {study.name} of {study.paper}, tier {study.tier}"),
     }
-
-
-def write_dataset(dataset: xr.Dataset, target: Path) -> None:
-    """Write a netCDF file completely or not at all.
-
-    Raises SimulationError when it cannot be written, as on a full disk.
-    """
-    dataset = complete(dataset)
-    write_netcdf(dataset, target, _compressed(dataset))
-
-
-def _compressed(dataset: xr.Dataset) -> dict[str, dict[str, Any]]:
-    """Encoding that keeps ten digits of large arrays over time; other digits are noise, two fifths of a file.
-
-    Extremes are not rounded, so a point has the same extremes in every study, large or small. The library can
-    round finite numbers of ordinary size, and writes the number of digits to the variable's attributes.
-    Arrays with other values are not rounded.
-    """
-    return {
-        str(name): PACKED | (ROUNDED if _rounded(values) else {})
-        for name, values in dataset.data_vars.items()
-        if values.dtype.kind == "f" and values.size > 1000
-    }
-
-
-def _rounded(values: xr.DataArray) -> bool:
-    """Whether values vary over time, have more digits, and are zero or of a size that can be rounded."""
-    if "time" not in values.dims or values.dtype.itemsize < np.dtype(float).itemsize:
-        return False
-    size = np.abs(values.values)
-    return bool(((size == 0.0) | ((size > 1e-100) & (size < 1e100))).all())

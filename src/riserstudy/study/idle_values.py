@@ -8,8 +8,8 @@ import numpy as np
 
 from riserstudy.dataset.variables import quantity_of
 from riserstudy.scene.origin import unwrap
-from riserstudy.scene.outputs import QUANTITIES
 from riserstudy.scene.paths import within
+from riserstudy.scene.quantities import QUANTITIES
 from riserstudy.study.study import Study
 from riserstudy.study.study_model import SETTINGS
 

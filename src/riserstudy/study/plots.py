@@ -9,7 +9,7 @@ from riserstudy.dataset.variables import ENDINGS, of_points
 from riserstudy.errors import InputError
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.limits import SIGNED
-from riserstudy.scene.outputs import QUANTITIES
+from riserstudy.scene.quantities import QUANTITIES
 from riserstudy.scene.resolve import Resolved
 from riserstudy.study.axes import Samples
 from riserstudy.study.figures import FigureModel, Plot

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.records.numerals import at_most
 from riserstudy.scene.fatigue import A_PERIOD
-from riserstudy.scene.outputs import range_lacks
+from riserstudy.scene.quantities import range_lacks
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

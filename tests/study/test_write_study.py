@@ -4,7 +4,7 @@ import pytest
 import short_study
 import xarray as xr
 
-from riserstudy.study import join
+from riserstudy.study import write_study
 
 STUDIES = """\
 paper: parts
@@ -87,10 +87,10 @@ def test_a_study_in_parts_has_the_dataset_of_one_that_is_joined_at_once(
     study_of, tmp_path, monkeypatch, name, at_once, parts
 ):
     told = []
-    join.write_study(study_of(name), tmp_path / "whole.nc", 1, told.append)
+    write_study.write_study(study_of(name), tmp_path / "whole.nc", 1, told.append)
     assert len(told) == 1
-    monkeypatch.setattr(join, "AT_ONCE", at_once)
-    join.write_study(study_of(name), tmp_path / "parts.nc", 1, told.append)
+    monkeypatch.setattr(write_study, "AT_ONCE", at_once)
+    write_study.write_study(study_of(name), tmp_path / "parts.nc", 1, told.append)
     assert len(told) == 1 + parts
     with (
         xr.open_dataset(tmp_path / "whole.nc", engine="netcdf4") as whole,
@@ -109,9 +109,9 @@ def test_points_on_several_meshes_or_with_several_allowables_are_joined_at_once(
     study_of, tmp_path, monkeypatch, name, at_once
 ):
     told = []
-    join.write_study(study_of(name), tmp_path / "whole.nc", 1, told.append)
-    monkeypatch.setattr(join, "AT_ONCE", at_once)
-    join.write_study(study_of(name), tmp_path / "parts.nc", 1, told.append)
+    write_study.write_study(study_of(name), tmp_path / "whole.nc", 1, told.append)
+    monkeypatch.setattr(write_study, "AT_ONCE", at_once)
+    write_study.write_study(study_of(name), tmp_path / "parts.nc", 1, told.append)
     assert any("different meshes or allowables" in line for line in told)
     with (
         xr.open_dataset(tmp_path / "whole.nc", engine="netcdf4") as whole,

@@ -17,17 +17,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import netCDF4
 
 from riserstudy.dataset.netcdf import written_whole
-from riserstudy.study.collect import (
-    PACKED,
-    ROUNDED,
-    Known,
-    attributes_of_points,
-    dataset_of,
-    joined,
-    known_of,
-    results_of,
-    write_dataset,
-)
+from riserstudy.dataset.write_dataset import PACKED, ROUNDED, write_dataset
+from riserstudy.study.collect import Known, attributes_of_points, dataset_of, joined, known_of, results_of
 from riserstudy.study.limits import limited
 from riserstudy.study.settings import Settings, dataset_tuned, with_setting
 from riserstudy.study.simulate_points import Count

@@ -8,7 +8,7 @@ import pytest
 
 from riserstudy.dataset.variables import attributes
 from riserstudy.scene.load import read_scene
-from riserstudy.scene.outputs import QUANTITIES
+from riserstudy.scene.quantities import QUANTITIES
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import finish, march
 from riserstudy.simulation.starting_mesh import coarsest_mesh, period
@@ -76,7 +76,7 @@ def test_the_errors_of_a_quantity_are_estimated_where_runs_return_it(scene):
 def test_a_throw_away_quantity_needs_no_other_entry():
     """Put into the table before anything reads it, as an edit of the file would."""
     program = """if True:
-        from riserstudy.scene.outputs import QUANTITIES, Quantity
+        from riserstudy.scene.quantities import QUANTITIES, Quantity
         QUANTITIES["noise"] = Quantity("platform", lambda s: bool(s.platform), "m", along=True)
         from riserstudy import load_scene
         from riserstudy.dataset.variables import of_runs
