@@ -21,12 +21,12 @@ def scene(tmp_path, monkeypatch):
     return "rig.yaml"
 
 
-@pytest.mark.parametrize("seeds", [5, 6, 30])
-def test_seeds_of_an_envelope_in_calm_water_are_refused(scene, commands, seeds):
-    words = ["--reach", "10 m", "--current", "0 m/s", "--seeds", seeds]
+@pytest.mark.parametrize("option, value", [("--seeds", 5), ("--seeds", 30), ("--exposure", "3 h")])
+def test_options_of_seas_of_an_envelope_in_calm_water_are_refused(scene, commands, option, value):
+    words = ["--reach", "10 m", "--current", "0 m/s", option, value]
     code, out, err = commands("envelope", scene, *words)
     assert (code, out) == (2, "")
-    assert "--seeds" in err
+    assert option in err
     assert "--sea" in err.replace("--seeds", "")
 
 

@@ -30,6 +30,21 @@ def test_nine_in_ten_further_seas_do_not_exceed_the_addition_of_few_seeds(seeds)
     assert shares.mean() == pytest.approx(0.9, abs=3.0 * shares.std() / math.sqrt(len(shares)))
 
 
+@pytest.mark.parametrize("longer", [0.5, 4.0, 30.0])
+@pytest.mark.parametrize("seeds", [5, 20])
+def test_nine_in_ten_longer_seas_do_not_exceed_their_addition(seeds, longer):
+    """Against the largest of so many drawn seas; half a sea has the root of their distribution."""
+    draw = np.random.default_rng((seeds, int(longer)))
+    mode, scale = draw.uniform(2.0, 5.0), draw.uniform(0.05, 0.3)
+    found = np.array([allowance(draw.gumbel(mode, scale, seeds), longer) for _ in range(800)])
+    if longer > 1.0:
+        others = draw.gumbel(mode, scale, (4000, int(longer))).max(axis=1)
+        shares = (others[:, None] <= found).mean(axis=0)
+    else:
+        shares = np.exp(-longer * np.exp(-(found - mode) / scale))
+    assert shares.mean() == pytest.approx(0.9, abs=3.0 * shares.std() / math.sqrt(len(shares)) + 0.005)
+
+
 @pytest.mark.parametrize("value", [-2.0, 0.0, 3.0])
 def test_a_sea_that_only_relieves_adds_nothing(value):
     assert allowance(np.full(5, value)) == max(value, 0.0)

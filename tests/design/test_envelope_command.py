@@ -120,7 +120,7 @@ def test_at_each_end_of_an_envelope_a_check_uses_all_of_the_limit_that_governs(c
 def test_a_higher_sea_narrows_the_envelope_within_that_of_calm_water(commands, tmp_path):
     speed = ("--current", "0.5 m/s")
     _, _, calm = envelope(commands, tmp_path, *speed, *words(SEA))
-    code, _, seas = envelope(
+    code, out, seas = envelope(
         commands, tmp_path, *speed, "--sea", "2 m, 9 s", "--sea", "6 m, 11 s", *words(SEA)
     )
     assert code == 0
@@ -131,6 +131,13 @@ def test_a_higher_sea_narrows_the_envelope_within_that_of_calm_water(commands, t
     }
     for mode in ("drilling", "connected"):
         assert room[mode, "calm"] > room[mode, "2 m, 9 s"] > room.get((mode, "6 m, 11 s"), 0.0)
+    assert "nine of ten seas of 40 s do not exceed them, from 5 runs of 40 s" in out  # after a ramp of 20 s
+    storm = ("--sea", "2 m, 9 s", "--exposure", "3 h")
+    _, out, longer = envelope(commands, tmp_path, *speed, *storm, *words(SEA))
+    assert "nine of ten seas of 10800 s" in out
+    for row in longer:
+        if row["to (m)"]:
+            assert float(row["to (m)"]) - float(row["from (m)"]) < room[row["mode"], "2 m, 9 s"]
 
 
 @pytest.mark.long

@@ -97,6 +97,14 @@ def envelope(
             "default: 5",
         ),
     ] = None,
+    exposure: Annotated[
+        str | None,
+        typer.Option(
+            help="duration of the storm for which allowances are computed, such as '3 h'; requires --sea; "
+            "default: that of a run after its ramps",
+            metavar="TIME",
+        ),
+    ] = None,
     settings: SetOption = None,
     csv: CsvOption = None,
     force: ForceOption = False,
@@ -107,7 +115,8 @@ def envelope(
     allowance to the static value of each output. If the limit is a smallest allowed value, the command
     subtracts the allowance instead. The allowance is the change due to waves that nine of ten random
     realisations of the sea do not exceed. The command computes the allowance by simulations in the sea and
-    in each current, at the offset of the scene. Limits on mean values have no allowance. The exit status is 4
+    in each current, at the offset of the scene. It applies to seas as long as a simulation after its ramps,
+    or as --exposure states. Limits on mean values have no allowance. The exit status is 4
     if a limit could not be evaluated.
     """
     file = scene_of(scene, settings)
@@ -116,23 +125,36 @@ def envelope(
     far = positive("--reach", reach, "m")
     speeds = [quantity("--current", one, "m/s") for one in current]
     sea_states = [_sea(one) for one in sea or []]
-    if seeds is not None and not sea_states:
-        raise InputError("envelope", "--seeds", "has no effect without --sea", "add --sea, or omit it")
+    for option, given in (("--seeds", seeds), ("--exposure", exposure)):
+        if given is not None and not sea_states:
+            raise InputError("envelope", option, "has no effect without --sea", "add --sea, or omit it")
+    storm = None if exposure is None else positive("--exposure", exposure, "s")
     _once("--current", current, [(speed,) for speed in speeds])
     _once("--sea", sea or [], sea_states)
     compile_as_needed()
     from riserstudy.design.envelope import envelope as computed
     from riserstudy.study.in_sea import Sea, in_sea
+    from riserstudy.study.in_sea import exposure as run_of
 
     seas = [Sea(*one) for one in sea_states]
     for one in seas:
         in_sea(file, one, 1).resolved()  # refuses a scene without a sea before any run
-    found = computed(file, far, speeds, seas, seeds or SEEDS, notify)
+    found = computed(file, far, speeds, seas, seeds or SEEDS, notify, storm)
     show(found.table, csv)
+    if seas:
+        print(_allowed_for(run_of(file.resolved()), storm, seeds or SEEDS))
     for name, why in found.missing.items():
         print(f"{name}: not evaluated: {why}; rows with this note leave this limit out")
     if found.missing:
         raise typer.Exit(4)
+
+
+def _allowed_for(run: float, storm: float | None, seeds: int) -> str:
+    """A line on the duration of the seas of the allowances and of the runs after their ramps (s)."""
+    return (
+        f"allowances: nine of ten seas of {run if storm is None else storm:g} s do not exceed them, from "
+        f"{seeds} runs of {run:g} s in each sea and current"
+    )
 
 
 def _sea(text: str) -> tuple[float, float]:

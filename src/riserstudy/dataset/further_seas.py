@@ -1,5 +1,7 @@
 """Value that nine further seas in ten do not exceed, from a Gumbel distribution that is fitted to some seas.
 
+The further seas can be longer: the largest of r seas has the distribution F^r.
+
 A distribution that is fitted to few seas has errors. Of five seas, its own fractile of 90 % is exceeded by
 17 % of further seas instead of 10 %, on average. The value is therefore so many scales above the mode of the
 distribution that the average is 10 %. This number of scales depends on the number of seas alone, because mode
@@ -25,24 +27,30 @@ MOST = 100  # number of seas from which on errors of the fit are inversely propo
 STEPS = 30  # of Newton's iteration for the scale of a distribution
 
 
-def scales_above_mode(seas: int, share: float) -> float:
-    """Scales above the fitted mode that a ``share`` of further seas does not exceed, for a number of seas."""
-    exact = -math.log(-math.log(share))
+def scales_above_mode(seas: int, share: float, longer: float = 1.0) -> float:
+    """Scales above the fitted mode that a ``share`` of further seas does not exceed.
+
+    Parameters
+    ----------
+    seas : number of seas to which the distribution is fitted.
+    longer : duration of a further sea divided by that of a fitted sea.
+    """
+    exact = math.log(longer) - math.log(-math.log(share))
     few = min(seas, MOST)
-    return exact + (_of_few(few, share) - exact) * few / seas
+    return exact + (_of_few(few, share, longer) - exact) * few / seas
 
 
 @cache
-def _of_few(seas: int, share: float) -> float:
+def _of_few(seas: int, share: float, longer: float) -> float:
     """The same, by drawn sets of seas."""
     from scipy.optimize import brentq
 
     mode, scale = fitted(np.random.default_rng(0).gumbel(size=(SAMPLES, seas)))
 
     def lacks(above: float) -> float:
-        return share - float(np.exp(-np.exp(-mode - above * scale)).mean())
+        return share - float(np.exp(-longer * np.exp(-mode - above * scale)).mean())
 
-    return float(brentq(lacks, 0.0, 100.0))
+    return float(brentq(lacks, -10.0, 1000.0))
 
 
 def fitted(values: FloatArray) -> tuple[FloatArray, FloatArray]:

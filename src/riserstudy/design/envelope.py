@@ -43,6 +43,7 @@ def envelope(
     seas: Sequence[Sea],
     seeds: int,
     notify: Callable[[str], None] = lambda _: None,
+    storm: float | None = None,
 ) -> Envelope:
     """Offsets between which the limits of each mode are met, for risers at rest with allowances for seas.
 
@@ -56,6 +57,7 @@ def envelope(
     seas : irregular seas; none: calm.
     seeds : number of runs for each sea and current.
     notify : function that receives a description of the next run.
+    storm : duration of the seas (s); None: that of a run after its ramps.
     """
     scene = file.resolved()
     limits = scene.limits or []
@@ -68,7 +70,7 @@ def envelope(
     missing: dict[str, str] = {}
     for c, (speed, of) in enumerate(zip(currents, with_speeds, strict=True)):
         change = partial(with_current, speed=speed)
-        added = [allowances(file, sea, seeds, notify, change) for sea in seas]
+        added = [allowances(file, sea, seeds, notify, change, storm) for sea in seas]
         added = added or [[Allowance(0.0)] * len(limits)]
         notify(f"offsets in a current of {speed:g} m/s")
         for n, between in enumerate(_each(of, reach, added)):

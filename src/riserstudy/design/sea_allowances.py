@@ -9,9 +9,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.dataset.further_seas import scales_above_mode
 from riserstudy.dataset.limits import error_of, rows_of, too_coarse
 from riserstudy.dataset.result import Result
-from riserstudy.dataset.statistics import gumbel
+from riserstudy.dataset.statistics import NOT_EXCEEDED, gumbel
+from riserstudy.errors import InputError
 from riserstudy.model.layout import directions
 from riserstudy.model.mesh import Mesh, mesh_of
 from riserstudy.scene.at_rest import static
@@ -25,7 +27,7 @@ from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.run import finish, march
 from riserstudy.simulation.section_forces import shear
 from riserstudy.study.departures import departure, refuse_departures
-from riserstudy.study.in_sea import Sea, in_sea
+from riserstudy.study.in_sea import Sea, exposure, in_sea
 
 FloatArray = NDArray[np.float64]
 OUTPUTS = 20  # smallest number of outputs in the shortest period of a sea
@@ -48,6 +50,7 @@ def allowances(
     seeds: int,
     notify: Callable[[str], None] = lambda _: None,
     change: Callable[[Resolved], Resolved] = lambda scene: scene,
+    storm: float | None = None,
 ) -> list[Allowance]:
     """The addition of a sea to the demand of each limit, which nine seas in ten do not exceed.
 
@@ -61,6 +64,7 @@ def allowances(
     ----------
     notify : function that receives a description of the next run.
     change : change of the scene before the runs, such as another current.
+    storm : duration of the seas that the allowances are for (s); None: that of a run after its ramps.
     """
     scene = change(file.resolved())
     refuse_departures(file.source, scene)
@@ -70,7 +74,17 @@ def allowances(
     for seed in range(seeds):
         notify(f"sea of {sea.height:g} m, {sea.period:g} s: seed {seed + 1} of {seeds}")
         runs.append(_run(scene, change(in_sea(file, sea, seed + 1).resolved())))
-    return [_of_limit(scene, limit, runs) for limit in scene.limits or []]
+    longer = 1.0 if storm is None else storm / _exposure(file)
+    return [_of_limit(scene, limit, runs, longer) for limit in scene.limits or []]
+
+
+def _exposure(file: SceneFile) -> float:
+    """Duration of a run after its ramps (s). Raises InputError when ramps last until its end."""
+    found = exposure(file.resolved())
+    if not found > 0.0:
+        why = "the run ends before its ramps, so its extremes do not belong to a duration of the sea"
+        raise InputError(file.source, "analysis.duration", why, "give a longer duration")
+    return found
 
 
 class Run(NamedTuple):
@@ -133,12 +147,12 @@ def _swings(scene: Resolved, mesh: Mesh, moving: Result, rest: Rest) -> dict[str
     return found
 
 
-def _of_limit(scene: Resolved, limit: Limit, runs: Sequence[Run]) -> Allowance:
-    """The allowance of a limit, from the runs in the sea."""
+def _of_limit(scene: Resolved, limit: Limit, runs: Sequence[Run], longer: float) -> Allowance:
+    """The allowance of a limit, from the runs in the sea; ``longer``: duration of a sea, in runs."""
     if limit.side == "mean":
         return Allowance(0.0)
     each = [_added(scene, limit, one) for one in runs]
-    places = {where: allowance(np.array([one[where] for one in each])) for where in each[0]}
+    places = {where: allowance(np.array([one[where] for one in each]), longer) for where in each[0]}
     value = max(places.values(), default=math.nan)
     if math.isnan(value):
         return Allowance(value, f"{limit.output} in the runs of the sea")
@@ -151,12 +165,18 @@ def _of_limit(scene: Resolved, limit: Limit, runs: Sequence[Run]) -> Allowance:
     return Allowance(value, "", places)
 
 
-def allowance(added: FloatArray) -> float:
+def allowance(added: FloatArray, longer: float = 1.0) -> float:
     """Addition that nine seas in ten do not exceed, from those of the seeds, (seeds,), same unit; >= 0.
 
-    It is NaN if an addition is.
+    It is NaN if an addition is. ``longer``: duration of the seas divided by that of the runs of the seeds.
     """
-    return math.nan if np.isnan(added).any() else max(gumbel(added).fractile, 0.0)
+    if np.isnan(added).any():
+        return math.nan
+    found = gumbel(added)
+    if found.scale == 0.0:  # one seed, or equal seeds
+        return max(found.fractile, 0.0)
+    above = scales_above_mode(len(added), NOT_EXCEEDED, longer)
+    return max(found.mode + above * found.scale, 0.0)
 
 
 def _added(scene: Resolved, limit: Limit, of: Run) -> dict[str, float]:

@@ -18,7 +18,7 @@ from riserstudy.scene.pressures import not_in_demand
 from riserstudy.study import store
 from riserstudy.study.demand_in_sea import demand
 from riserstudy.study.departures import check_stays
-from riserstudy.study.in_sea import Sea, phases_of, values_of
+from riserstudy.study.in_sea import Sea, exposure, phases_of, values_of
 from riserstudy.study.simulate_points import attempt
 from riserstudy.study.study import Study
 from riserstudy.study.sweep import as_study
@@ -95,10 +95,7 @@ class RiserResponse:
     @cached_property
     def exposure(self) -> float:
         """Duration of a run after its ramps and the start of its outputs (s), in which extremes count."""
-        scene = self.file.resolved()
-        output = scene.analysis.output
-        start = (output.start if output else None) or 0.0
-        return float(scene.analysis.duration or 0.0) - max(scene.built_up, start)
+        return exposure(self.file.resolved())
 
     def seconds(self, states: FloatArray) -> float:
         """Elapsed time of a run (s), the smallest over sea states (m, 2), since the first also loads kernels.

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import Storm
 
 
@@ -42,6 +43,13 @@ def phases_of(file: SceneFile, seed: int) -> dict[str, Any]:
     Raises InputError when the scene has no irregular sea, or no time.
     """
     return {f"{path}.seed": seed for path in _paths(file)}
+
+
+def exposure(scene: Resolved) -> float:
+    """Duration of a run after its ramps and the start of its outputs (s), in which extremes count."""
+    output = scene.analysis.output
+    start = (output.start if output else None) or 0.0
+    return float(scene.analysis.duration or 0.0) - max(scene.built_up, start)
 
 
 def heading_paths(file: SceneFile) -> list[str]:
