@@ -146,10 +146,11 @@ def test_two_upcrossings_are_enough_for_a_period(seed):
 @pytest.mark.parametrize("seed", range(4))
 def test_the_mode_is_the_demand_of_so_many_runs_and_has_its_error(seed):
     """In -ln(0.9) times the duration of a run, nine in ten largest values do not exceed the mode."""
-    values = np.random.default_rng(seed).gumbel(8.0, 1.5, 12)
+    values = np.random.default_rng(seed).gumbel(8.0, 1.5, 400)
     found, same = gumbel(values), demand(values, "largest", -math.log(0.9))
-    assert same.value == pytest.approx(found.mode)
-    assert same.deviation == pytest.approx(found.mode_error)
+    # demands are without the bias of fits, of a hundredth of the mode's error for so many values
+    assert same.value == pytest.approx(found.mode, abs=0.05 * found.mode_error)
+    assert same.deviation == pytest.approx(found.mode_error, rel=0.02)
 
 
 HEIGHT, PEAK = 6.0, 12.0

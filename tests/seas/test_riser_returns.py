@@ -5,11 +5,12 @@ import math
 import numpy as np
 import pytest
 
+from riserstudy.dataset.fit_bias import error_of_scale
 from riserstudy.dataset.statistics import NOT_EXCEEDED
 from riserstudy.errors import InputError
 from riserstudy.scene.limits import Limit
 from riserstudy.seas.riser_hours import Met
-from riserstudy.seas.riser_returns import OF_SCALE, Demands, returned, table_of
+from riserstudy.seas.riser_returns import Demands, returned, table_of
 from riserstudy.study import demand_in_sea
 
 INTERVAL = 6.0  # h
@@ -106,8 +107,11 @@ def test_what_is_not_known_of_the_response_widens_the_band():
 def test_the_scale_by_several_seeds_is_off_by_its_standard_error():
     """Scales that are fitted to drawn extremes, whose distribution has a scale of one."""
     draw = np.random.default_rng(9)
-    scales = [demand_in_sea.demand(draw.gumbel(10.0, 1.0, 40), "largest", 1.0).scale for _ in range(300)]
-    assert np.std(scales) * math.sqrt(40) == pytest.approx(OF_SCALE, rel=0.12)
+    for seeds in (5, 40):
+        scales = [
+            demand_in_sea.demand(draw.gumbel(10.0, 1.0, seeds), "largest", 1.0).scale for _ in range(300)
+        ]
+        assert np.std(scales) == pytest.approx(error_of_scale(seeds), rel=0.12)
 
 
 def test_a_smallest_value_is_the_mirror_of_a_largest():

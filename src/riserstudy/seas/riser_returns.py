@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.dataset.fit_bias import error_of_scale
 from riserstudy.dataset.limits import labels
 from riserstudy.dataset.statistics import FEWEST_SEEDS, NOT_EXCEEDED
 from riserstudy.dataset.table import Cell, Table
@@ -33,8 +34,6 @@ from riserstudy.seas.year_bands import BAND
 FloatArray = NDArray[np.float64]
 HISTORIES = 40  # number of drawn histories of the record
 REFITS = 10  # number of refits of each history
-# standard error of a Gumbel scale, times the root of the number of seeds
-OF_SCALE = math.sqrt(6.0) / math.pi
 REDUCED = -math.log(-math.log(NOT_EXCEEDED))  # reduced variate of demands
 COLUMNS = [
     *("limit", "return period", "by years", "years from", "years to"),
@@ -108,11 +107,11 @@ def _of_limit(
     if np.isnan(demand).any():
         yield from [(NOT_KNOWN, NOT_KNOWN)] * len(periods)
         return
-    recorded = len(demand) * of.interval / 8766.0
+    recorded, of_scale = len(demand) * of.interval / 8766.0, error_of_scale(of.seeds)
     by_years: list[list[tuple[float, FloatArray]]] = [[] for _ in periods]
     by_storms: list[list[tuple[float, FloatArray]]] = [[] for _ in periods]
     for _ in range(HISTORIES):
-        spread = scale * max(0.0, 1.0 + OF_SCALE / math.sqrt(of.seeds) * draw.standard_normal())
+        spread = scale * max(0.0, 1.0 + of_scale * draw.standard_normal())
         middle = sign * demand + off / NINE_IN_TEN * draw.standard_normal()
         values = middle + spread * (draw.gumbel(size=len(demand)) - REDUCED)
         largest = np.array([values[rows].max() for rows in whole])

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.dataset.fit_bias import corrected, error_of
 from riserstudy.dataset.statistics import FEWEST_SEEDS, NOT_EXCEEDED, gumbel
 from riserstudy.errors import InputError
 
@@ -47,7 +48,7 @@ def demand(values: FloatArray, side: str, runs: float) -> Demand:
 
     References
     ----------
-    Gumbel 1958, Statistics of Extremes; standard error by maximum likelihood.
+    Gumbel 1958, Statistics of Extremes; fitted by maximum likelihood without its bias for few values.
     """
     if len(values) == 1:
         return Demand(float(values[0]), math.nan, math.nan)
@@ -60,7 +61,6 @@ def demand(values: FloatArray, side: str, runs: float) -> Demand:
         return Demand(float(sign * largest.max()), 0.0, 0.0)
     found = gumbel(largest)
     above_mode = math.log(runs) - math.log(-math.log(NOT_EXCEEDED))  # in units of the scale
-    share = 1.0 + 6.0 / math.pi**2 * (1.0 - np.euler_gamma + above_mode) ** 2
-    deviation = found.scale * math.sqrt(share / len(values))
-    value = sign * (found.mode + above_mode * found.scale)
-    return Demand(float(value), float(deviation), found.scale)
+    mode, scale = corrected(found.mode, found.scale, len(values))
+    deviation = scale * error_of(above_mode, len(values))
+    return Demand(sign * (mode + above_mode * scale), deviation, scale)
