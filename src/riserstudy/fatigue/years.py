@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -15,6 +15,8 @@ from riserstudy.dataset.provenance import first_scene, name_of
 from riserstudy.errors import InputError
 from riserstudy.fatigue.occurrence import Occurrence, within
 from riserstudy.fatigue.response import ORDER, Response, in_parts
+from riserstudy.records.words import listed
+from riserstudy.study.departures import prescribed_motions
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -27,6 +29,8 @@ VIBRATION = "vortex-induced vibration"  # name of the effect
 HALF = 0.5
 
 OF_WAVES = ("height", "amplitude", "period")  # keys of a regular wave in a scene
+#: keys of a wave in a scene that an axis of seas may set, by what they are
+KEYS = {"height": ("significant_height", "height", "amplitude"), "period": ("peak_period", "period")}
 
 
 class Worst(NamedTuple):
@@ -116,6 +120,7 @@ def over_years(study: xr.Dataset, occurs: Occurrence, at: Mapping[str, str], cal
     """
     axes = axes_of(study)
     _check_seas(study, occurs)
+    _check_other_waves(study, occurs)
     study = _at(study, axes, occurs, at)
     seeds = [axis for axis in axes if axis in study.dims and _is_seed(study, axis)]
     for axis in axes:
@@ -150,7 +155,7 @@ def over_years(study: xr.Dataset, occurs: Occurrence, at: Mapping[str, str], cal
         found,
         [(axis, str(study[axis].attrs.get("units", ""))) for axis in grid],
         _error_of(found),
-        occurs.notes,
+        (*occurs.notes, *_of_all_seas(study)),
         tuple(_details(study)),
     )
 
@@ -187,6 +192,33 @@ def _check_seas(study: xr.Dataset, occurs: Occurrence) -> None:
             found = f"this axis sets {', '.join(sorted(paths))} of a regular wave, not of an irregular sea"
             allowed = f"give a study of irregular seas, or a table of waves with a column {axis}"
             raise InputError("sea states", axis, found, allowed)
+
+
+def _check_other_waves(study: xr.Dataset, occurs: Occurrence) -> None:
+    """Check that the axes of the seas change both waves of a scene that has one for its platform alone.
+
+    The other wave would be equal in all seas. Raises InputError with the axis that changes one wave only.
+    """
+    scene = first_scene(study)
+    response = scene.platform and scene.platform.response
+    waves = {"platform.response.wave": response and response.wave, "wave": scene.wave}
+    there = {path for path, wave in waves.items() if wave}
+    for kind, keys in KEYS.items():
+        by_axis = {
+            axis: {path.rpartition(".")[0] for path in _paths(study, axis) if path.rpartition(".")[2] in keys}
+            for axis in occurs.values
+        }
+        axes = [axis for axis, waves_of in by_axis.items() if waves_of & there]
+        if axes and (left := there.difference(*by_axis.values())):
+            found = f"the {kind} of {min(left)} in the scene is equal in all sea states"
+            allowed = "give a study in which this axis sets both waves, or remove one wave from the scene"
+            raise InputError("sea states", axes[0], found, allowed)
+
+
+def _of_all_seas(study: xr.Dataset) -> Iterator[str]:
+    """A note about motions of the platform that no sea state changes."""
+    if names := prescribed_motions(first_scene(study)):
+        yield f"prescribed {listed(names)} of the platform: equal in all sea states"
 
 
 def _is_seed(study: xr.Dataset, axis: str) -> bool:

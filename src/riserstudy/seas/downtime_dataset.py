@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from riserstudy.files.digests import engine_digest
 from riserstudy.records.numerals import newtons
-from riserstudy.records.words import counted
+from riserstudy.records.words import counted, listed
 from riserstudy.scene.load import SceneFile
 from riserstudy.seas.between_headings import Middle
 from riserstudy.seas.directions import FROM
@@ -21,6 +21,7 @@ from riserstudy.seas.mesh_of_seas import has_own_mesh
 from riserstudy.seas.record import with_peak_period
 from riserstudy.seas.riser_hours import RiserHours
 from riserstudy.seas.sea_states import with_calm_periods
+from riserstudy.study.departures import prescribed_motions
 from riserstudy.study.in_sea import heading_paths, sea_of
 
 if TYPE_CHECKING:
@@ -49,6 +50,7 @@ def summarise(
         *_of_seas(parts, directed),
         *_of_demands(parts),
         *_of_record(parts[0].riser.file, record, used),
+        *_of_all_seas(parts[0].riser.file),
         *_of_headings(parts[0].riser.file, middles, record, directed),
         *_of_rows(parts, middles, hours, directed),
         *hours.modes[0].hours.notes,
@@ -143,6 +145,18 @@ def _of_record(file: SceneFile, record: xr.Dataset, used: Collection[str]) -> li
             f"not used: {' and '.join(idle)} of the record; all rows have the current and wind of the scene"
         )
     return lines
+
+
+def _of_all_seas(file: SceneFile) -> Iterator[str]:
+    """Lines about motions and forces of a platform that are equal in all sea states."""
+    scene = file.resolved()
+    if names := prescribed_motions(scene):
+        yield (
+            f"prescribed {listed(names)} of the platform: equal in all sea states, in addition to the "
+            "response to the sea"
+        )
+    if scene.vessel and scene.vessel.wave_drift:
+        yield "wave drift of the vessel: the force of the scene acts in all sea states"
 
 
 def dataset_of(file: SceneFile, parts: Sequence[Part], middles: Sequence[Middle]) -> xr.Dataset:
