@@ -1,4 +1,4 @@
-"""Demands by the extremes of few seeds, on average over many sets of seeds, against the distribution itself."""
+"""Demands by extremes of few seeds, on average over many sets of seeds, against the distribution itself."""
 
 import math
 
