@@ -5,7 +5,6 @@ import subprocess
 import sys
 import threading
 import time
-from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -80,20 +79,21 @@ def test_a_log_gets_a_line_only_for_a_change(handler, capsys, monkeypatch):
 
 
 def test_steps_that_begin_and_end_while_progress_is_shown_do_not_end_its_display(handler, monkeypatch):
-    """Snakemake reports steps in one thread, while another one reads logs and prints."""
-    monkeypatch.setattr(log_handler, "IN_LOG", 1e-4)
-    Path("one.log").write_text("12 of 40 points\n")
+    """Snakemake reports steps in one thread, while another one reads logs, which takes time, and prints."""
+    monkeypatch.setattr(log_handler, "IN_LOG", 1e-3)
+    monkeypatch.setattr("riserstudy.jobs.progress.last_points", lambda log: time.sleep(2e-4))
     failed = []
     monkeypatch.setattr(threading, "excepthook", failed.append)
-    handler.emit(record(LogEvent.RUN_INFO, stats={"simulate": 3000, "total": 3000}))
-    for job in range(3000):
+    handler.emit(record(LogEvent.RUN_INFO, stats={"simulate": 60, "total": 60}))
+    for job in range(60):
         study = {"paper": "paper", "study": str(job)}
         begin(handler, job, "simulate", f"simulate paper/{job}", study, ["one.log"])
-        if job >= 8:
-            handler.emit(record(LogEvent.JOB_FINISHED, job_id=job - 8))
+        time.sleep(2e-3)
+        if job >= 4:
+            handler.emit(record(LogEvent.JOB_FINISHED, job_id=job - 4))
     assert not failed
     assert handler._showing.is_alive()
-    assert len(handler._progress.took) == 3000 - 8
+    assert len(handler._progress.took) == 60 - 4
     spent = sum(of.seconds for of in handler._progress.took.values())
     at_work = sum(step.seconds for step in handler._progress.at_work.values())
     assert spent + at_work <= handler._progress.clock() - handler._progress.began  # no time counts twice
@@ -115,6 +115,27 @@ def test_a_failed_step_is_named_with_its_log_and_what_follows_from_it_is_not(han
     assert lines[-2] == "    line 99"
     assert len(lines) == 2 + log_handler.LOG_TAIL + 1
     assert not out
+
+
+def test_the_command_of_a_failed_step_is_not_printed_and_snakemake_is_not_said_to_have_stopped(
+    handler, capsys
+):
+    """Snakemake first reports an exception with the whole command, then the failed step, and goes on."""
+    begin(handler, 4, "simulate", "simulate paper/one", STUDY)
+    begin(handler, 5, "simulate", "simulate paper/two", STUDY)
+    error = "RuleException:\nCalledProcessError: Command 'set -euo pipefail; python' returned 1"
+    handler.emit(record(LogEvent.ERROR, error, logging.ERROR, exception="RuleException"))
+    about = {"rule_name": "simulate", "jobid": 4, "output": ["results/one.nc"], "log": []}
+    handler.emit(record(LogEvent.JOB_ERROR, level=logging.ERROR, **about))
+    handler.close()
+    assert capsys.readouterr().err == "riserstudy: simulate failed to make results/one.nc\n"
+
+
+def test_an_error_without_a_failed_step_is_printed_at_the_end(handler, capsys):
+    begin(handler, 4, "simulate", "simulate paper/one", STUDY)
+    handler.emit(record(LogEvent.ERROR, "WorkflowError: no space", logging.ERROR, exception="WorkflowError"))
+    handler.close()
+    assert capsys.readouterr().err == "riserstudy: snakemake stopped:\nWorkflowError: no space\n"
 
 
 def test_why_nothing_could_begin_is_printed(handler, capsys):

@@ -45,6 +45,7 @@ class LogHandler(LogHandlerBase):
         tier = self.settings.tier if isinstance(self.settings, LogHandlerSettings) else "standard"
         self._progress = Progress(tier)
         self._steps_failed = False
+        self._unexplained: list[str] = []  # errors of Snakemake while steps were at work
         self._terminal = sys.stdout.isatty()
         self._ended = threading.Event()
         self._counting = threading.RLock()  # held while the progress is read or changed
@@ -78,12 +79,24 @@ class LogHandler(LogHandlerBase):
         elif event == LogEvent.JOB_ERROR:
             self._fail(record)
         elif event == LogEvent.ERROR and not self._steps_failed:
-            self._complain(["riserstudy: snakemake stopped:", record.getMessage()])
+            self._unexplained.append(record.getMessage())
+            if not self._progress.at_work:
+                self._explain()
         elif event is None and record.msg:
             self._pass_on(record)
 
+    def _explain(self) -> None:
+        """Print the errors that are not about a failed step.
+
+        Snakemake reports the error of a step's command just before it reports which step failed.
+        """
+        if self._unexplained:
+            self._complain(["riserstudy: snakemake stopped:", *self._unexplained])
+        self._unexplained = []
+
     def close(self) -> None:
         """Store the times of the steps, and end the line."""
+        self._explain()
         if self._showing:
             self._ended.set()
             self._showing.join()
@@ -104,6 +117,7 @@ class LogHandler(LogHandlerBase):
     def _fail(self, record: LogRecord) -> None:
         """Print which step failed, and the last lines of its logs."""
         self._steps_failed = True
+        self._unexplained = []
         self._progress.fail(int(record.jobid))  # type: ignore[attr-defined]
         outputs = ", ".join(getattr(record, "output", None) or ["its output"])
         lines = [f"riserstudy: {getattr(record, 'rule_name', 'a step')} failed to make {outputs}"]
