@@ -62,6 +62,8 @@ def show_limits(dataset: Any, units: UnitSystem = UnitSystem.FIELD) -> None:
     from rich.console import Console
 
     from riserstudy.dataset.limit_lines import lines
+    from riserstudy.dataset.provenance import first_scene
+    from riserstudy.study.in_sea import one_sea
 
     console = Console(markup=False, highlight=False, soft_wrap=True)
     for line in lines(rows, units):
@@ -70,3 +72,5 @@ def show_limits(dataset: Any, units: UnitSystem = UnitSystem.FIELD) -> None:
     start = float(dataset["time"][0]) if "time" in dataset.coords else 0.0
     if start > 0.0:
         console.print(f"counted from t = {start:g} s on, because of analysis.output.start")
+    if chance := one_sea(first_scene(dataset)):
+        console.print(chance)

@@ -114,12 +114,15 @@ def watch_circles(
     modes = [one.value for one in Mode if one.value in limited and (not mode or one in mode)]
     compile_kernels(of)
     from riserstudy.simulation.simulate import simulate
+    from riserstudy.study.in_sea import one_sea
 
     announce(file)
     dataset = simulate(file)
     print_warnings(dataset)
     found = circles(of, dataset, Times(*times), modes)
     show(found.table, csv)
+    if chance := one_sea(of):
+        print(f"{chance}; use the smallest circles of several seeds")
     save_dataset(dataset, output)
     if found.missing:
         raise typer.Exit(4)

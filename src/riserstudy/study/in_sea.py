@@ -45,6 +45,17 @@ def phases_of(file: SceneFile, seed: int) -> dict[str, Any]:
     return {f"{path}.seed": seed for path in _paths(file)}
 
 
+def one_sea(scene: Resolved) -> str:
+    """A statement that a run has one of many possible irregular seas; empty without such a sea."""
+    response = scene.platform and scene.platform.response
+    seas = [sea for sea in (response and response.wave, scene.wave) if isinstance(sea, Storm)]
+    if scene.analysis.duration is None or not seas:
+        return ""
+    seeds = " and ".join(str(seed) for seed in dict.fromkeys(sea.seed for sea in seas))
+    run = f"{scene.analysis.duration:g} s with seed {seeds}"
+    return f"one irregular sea, of {run}; other seeds and longer seas have other extremes"
+
+
 def exposure(scene: Resolved) -> float:
     """Duration of a run after its ramps and the start of its outputs (s), in which extremes count."""
     output = scene.analysis.output
