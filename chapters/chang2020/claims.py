@@ -16,7 +16,7 @@ from scipy.interpolate import CubicSpline
 
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below, everywhere
-from riserstudy.grading.word import Word
+from riserstudy.grading.word_of_size import Word
 from riserstudy.grading.yardstick import Condition, alike, all_along, all_of, growing, less, more, plain
 
 FloatArray = NDArray[np.float64]

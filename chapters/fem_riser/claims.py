@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below
-from riserstudy.grading.word import Word
+from riserstudy.grading.word_of_size import Word
 from riserstudy.grading.yardstick import Condition, all_along, all_of, growing, more
 from riserstudy.records.numerals import rounded_up
 

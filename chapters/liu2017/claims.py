@@ -15,7 +15,7 @@ from chapters.liu2017.limits import BOTTOM, LIMITS, reached, shares, starts
 from riserstudy.dataset.crossing import at_time, first_crossing
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below, everywhere, least
-from riserstudy.grading.word import Word
+from riserstudy.grading.word_of_size import Word
 from riserstudy.grading.yardstick import Condition, all_of, less, more, more_on_the_whole
 from riserstudy.scene.units import to_si
 

@@ -12,7 +12,7 @@ from invented import dataset, number_row, row, samples
 
 from riserstudy.chapters.derive import derive
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.grading import words
+from riserstudy.grading import verdict_sentences
 from riserstudy.grading.grade import Found, _answers, graded
 from riserstudy.grading.models import Item
 from riserstudy.grading.names import input_name, option_name
@@ -282,7 +282,7 @@ def test_a_claim_whose_check_judges_nothing_is_refused_by_name():
 def test_inputs_that_explain_little_are_not_called_deciding(explained, said):
     influence = Influence("model", "the model", None, {})
     grounds = Grounds(because="inputs", decided_by=[influence], explained=explained)
-    assert words.decided_by(grounds) == said
+    assert verdict_sentences.decided_by(grounds) == said
 
 
 def a_force(values):

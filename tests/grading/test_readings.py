@@ -11,7 +11,7 @@ from riserstudy.grading.grade import Found, graded, judged
 from riserstudy.grading.models import Item, PublishedFile
 from riserstudy.grading.readings import readings_of
 from riserstudy.grading.rows import row_of
-from riserstudy.grading.word import Word
+from riserstudy.grading.word_of_size import Word
 from riserstudy.grading.yardstick import less
 from riserstudy.records.graded import Grounds
 

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from riserstudy.grading.reasons import reason, result_rows
-from riserstudy.grading.words_by_reading import rows_by_reading, summary_by_reading
+from riserstudy.grading.sentences_by_reading import rows_by_reading, summary_by_reading
 from riserstudy.records.graded import Grounds, Influence, ItemResult, Outcome, Premise, Reading, Share
 
 PLAIN = dict.fromkeys(field.name for field in fields(ItemResult)) | {"unit": "", "kind": "claim"}

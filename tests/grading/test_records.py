@@ -12,7 +12,7 @@ import pytest
 
 from riserstudy.files.csv_files import read_csv
 from riserstudy.grading.rows import Row, row_of, table
-from riserstudy.grading.words import decided_by, depends_on
+from riserstudy.grading.verdict_sentences import decided_by, depends_on
 from riserstudy.records.graded import (
     Case,
     Chosen,

@@ -7,7 +7,7 @@ import xarray as xr
 from riserstudy.grading.grade import graded, judged
 from riserstudy.grading.models import Item
 from riserstudy.grading.verdict import verdict_of_claim, verdict_of_number
-from riserstudy.grading.words import depends_on, note
+from riserstudy.grading.verdict_sentences import depends_on, note
 
 
 def found(kind, hits, base):

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from riserstudy.grading import published
-from riserstudy.grading.words_file import read_words
+from riserstudy.grading.words_of_size_file import read_words
 
 CONFIG = Path(__file__).parents[2] / "config"
 

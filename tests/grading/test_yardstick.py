@@ -12,7 +12,7 @@ from riserstudy.grading.grade import answers, graded, judged
 from riserstudy.grading.models import Item
 from riserstudy.grading.published import read_published
 from riserstudy.grading.rows import row_of
-from riserstudy.grading.words_file import WordsFile, read_words
+from riserstudy.grading.words_of_size_file import WordsFile, read_words
 from riserstudy.grading.yardstick import alike, all_along, all_of, growing, less, more, more_on_the_whole
 
 CONFIG = Path(__file__).parents[2] / "config"

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import pytest
 
 from riserstudy.report.audit import ERRORS, NO_REASON, audit, missed, relevant_errors, warned
-from riserstudy.report.wording import counted, spaced
+from riserstudy.report.formats import counted, spaced
 from riserstudy.scene.quantities import QUANTITIES
 
 COLUMNS = ["error_displacement", "error_moment", "error_tension", "error_angle"]

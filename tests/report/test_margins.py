@@ -2,7 +2,7 @@
 
 import pytest
 
-from riserstudy.grading.words import margin_rows
+from riserstudy.grading.verdict_sentences import margin_rows
 
 
 @pytest.mark.parametrize(

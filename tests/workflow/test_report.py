@@ -15,7 +15,7 @@ from riserstudy.records.graded import Graded, Grounds, Influence, Outcome, Share
 from riserstudy.report import render, write_report
 from riserstudy.report.claims import read_claims
 from riserstudy.report.contents import Sources
-from riserstudy.report.wording import share
+from riserstudy.report.formats import share
 
 pytestmark = pytest.mark.long
 

@@ -19,7 +19,7 @@ from chapters.liu2020.claims.system import (
 )
 from riserstudy.grading.found import answers
 from riserstudy.grading.verdict import ALMOST_ALWAYS
-from riserstudy.grading.word import Word
+from riserstudy.grading.word_of_size import Word
 from riserstudy.records.words import listed
 
 RELAXATION = 0.81318 / np.pi  # s, by Eq. 16 with a damping ratio of 1: at_period divided by pi

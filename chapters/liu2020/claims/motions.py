@@ -6,7 +6,7 @@ import xarray as xr
 
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import below
-from riserstudy.grading.word import Word
+from riserstudy.grading.word_of_size import Word
 from riserstudy.grading.yardstick import alike
 
 

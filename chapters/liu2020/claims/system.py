@@ -7,7 +7,7 @@ import xarray as xr
 
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below, everywhere, least, rising
-from riserstudy.grading.word import Word
+from riserstudy.grading.word_of_size import Word
 from riserstudy.grading.yardstick import Condition, all_along, all_of, growing, less, more
 
 #: possible meanings of the individual riser; config/studies/liu2020.yaml, readings

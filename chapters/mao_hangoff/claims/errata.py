@@ -25,7 +25,7 @@ from chapters.mao_hangoff.runs import (
 )
 from chapters.mao_hangoff.towed import at_top
 from riserstudy.grading.found import answers
-from riserstudy.grading.word import Word
+from riserstudy.grading.word_of_size import Word
 from riserstudy.scene.origin import unwrap
 from riserstudy.scene.units import to_si
 

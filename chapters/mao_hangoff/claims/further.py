@@ -8,7 +8,7 @@ from chapters.mao_hangoff.claims.towed import TIMES
 from chapters.mao_hangoff.runs import halves, largest, moments_over_time, with_printed_lmrp
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, everywhere
-from riserstudy.grading.word import Word
+from riserstudy.grading.word_of_size import Word
 from riserstudy.grading.yardstick import all_along, growing, more, more_on_the_whole
 
 #: variants of the base case, and stiffness of the top end of each

@@ -17,7 +17,7 @@ from chapters.mao_hangoff.hanging import largest_rise
 from chapters.mao_hangoff.runs import at_angle, last_over_first, with_printed_lmrp
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, everywhere
-from riserstudy.grading.word import Word
+from riserstudy.grading.word_of_size import Word
 from riserstudy.grading.yardstick import alike, all_along, all_of, growing, more
 
 SETTLED = 70.0  # s, time at which every ramp of the heave has ended

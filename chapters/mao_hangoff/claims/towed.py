@@ -25,7 +25,7 @@ from chapters.mao_hangoff.runs import (
 from chapters.mao_hangoff.towed import displacement
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below, everywhere, least, rising
-from riserstudy.grading.word import Word
+from riserstudy.grading.word_of_size import Word
 from riserstudy.grading.yardstick import all_of, growing, less, more
 
 SURFACE_ZONE = 150.0  # m below the joint, where C_D is large

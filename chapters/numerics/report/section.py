@@ -11,7 +11,7 @@ from chapters.numerics.report.tables import tables
 from riserstudy.records.numerals import duration
 from riserstudy.records.page import Cell, Section, Table
 from riserstudy.records.words import listed
-from riserstudy.report.wording import counted
+from riserstudy.report.formats import counted
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -9,7 +9,7 @@ import numpy as np
 
 from riserstudy.records.numerals import duration
 from riserstudy.records.page import Cell, Table
-from riserstudy.report.wording import number, share
+from riserstudy.report.formats import number, share
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -12,7 +12,7 @@ from riserstudy.database.write_study import About, marks
 from riserstudy.errors import InputError
 from riserstudy.files.csv_files import read_csv
 from riserstudy.grading.published import published_path, read_published
-from riserstudy.grading.words import decided_by
+from riserstudy.grading.verdict_sentences import decided_by
 from riserstudy.records.graded import Grounds, Share
 from riserstudy.study.models import StudyFile
 from riserstudy.study.read import read_studies

@@ -15,7 +15,7 @@ from pydantic import Field, model_validator
 from riserstudy.errors import InputError
 from riserstudy.grading.models import InWords, Item, Option, PublishedFile
 from riserstudy.grading.published import looked_up, refuse_check
-from riserstudy.grading.words_file import read_words
+from riserstudy.grading.words_of_size_file import read_words
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.strict import Strict

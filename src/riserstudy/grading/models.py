@@ -8,7 +8,7 @@ from pydantic import Field, field_validator, model_validator
 
 from riserstudy.dataset.unit_names import UnitName
 from riserstudy.grading.verdict import RELATIVE
-from riserstudy.grading.word import Word
+from riserstudy.grading.word_of_size import Word
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.percent import Percent
 from riserstudy.inputs.strict import Strict

@@ -12,8 +12,8 @@ from pydantic import Field, model_validator
 from pydantic.json_schema import GenerateJsonSchema
 
 from riserstudy.grading.models import ChosenBy, InWords, Item, WordName
-from riserstudy.grading.word import Word
-from riserstudy.grading.words_file import WordsFile
+from riserstudy.grading.word_of_size import Word
+from riserstudy.grading.words_of_size_file import WordsFile
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.percent import Percent
 from riserstudy.inputs.plain_yaml import read_yaml

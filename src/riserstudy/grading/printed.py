@@ -12,7 +12,7 @@ from typing import Any
 from riserstudy.errors import InputError
 from riserstudy.grading.models import PrintedInput, PublishedFile
 from riserstudy.grading.published import printed_of, published_path
-from riserstudy.grading.words_file import read_words
+from riserstudy.grading.words_of_size_file import read_words
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.origin import plain_values

@@ -11,7 +11,7 @@ from riserstudy.errors import InputError
 from riserstudy.files.chapters import chapter_modules
 from riserstudy.files.digests import defining
 from riserstudy.grading.models import Checked, Option, PrintedNumber, PublishedFile, WordName
-from riserstudy.grading.words_file import WordsFile, read_words
+from riserstudy.grading.words_of_size_file import WordsFile, read_words
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.validate import check, refuse_other_paper
 from riserstudy.study.arguments import refuse_arguments

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from riserstudy.grading.words import (
+from riserstudy.grading.sentences_by_reading import summary_by_reading
+from riserstudy.grading.verdict_sentences import (
     alone_in_words,
     decided_by,
     deciding,
@@ -13,7 +14,6 @@ from riserstudy.grading.words import (
     too_few,
     values_of,
 )
-from riserstudy.grading.words_by_reading import summary_by_reading
 from riserstudy.records.graded import Grounds, ItemResult, Kind, Share
 from riserstudy.records.numerals import percent
 from riserstudy.records.units import after_number

@@ -8,7 +8,7 @@ from dataclasses import asdict, dataclass, fields
 from typing import Any
 
 from riserstudy.files.csv_files import csv_text
-from riserstudy.grading.words import depends_on, note
+from riserstudy.grading.verdict_sentences import depends_on, note
 from riserstudy.records.graded import Graded, ItemResult
 
 

@@ -12,7 +12,7 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.grading.margin import Value, above
-from riserstudy.grading.word import Word
+from riserstudy.grading.word_of_size import Word
 
 
 class Condition(NamedTuple):

@@ -21,7 +21,7 @@ from riserstudy.files.digests import defining, dependencies, digest
 from riserstudy.grading.false_claims import false_claims_path
 from riserstudy.grading.printed import with_printed
 from riserstudy.grading.published import published_path
-from riserstudy.grading.words_file import words_path
+from riserstudy.grading.words_of_size_file import words_path
 from riserstudy.jobs.configuration import Configuration
 from riserstudy.simulation.compile import marker
 from riserstudy.simulation.kernel_groups import GROUPS

@@ -8,8 +8,8 @@ import jinja2
 
 from riserstudy.files.whole import whole_file
 from riserstudy.report.contents import Sources, contents
+from riserstudy.report.formats import WORDING
 from riserstudy.report.libraries import libraries, packed
-from riserstudy.report.wording import WORDING
 
 FOLDER = Path(__file__).parent
 PAGE, STYLE, MOVES = "page.html", "page.css", "page.js"

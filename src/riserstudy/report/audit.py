@@ -17,8 +17,8 @@ from riserstudy.dataset.limits import NOT_LIMITED
 from riserstudy.dataset.variables import quantity_of
 from riserstudy.records.warning import RunWarning, joint_sentence, warning
 from riserstudy.records.words import counted, listed
+from riserstudy.report.formats import share, spaced
 from riserstudy.report.without_points import WithoutPoints, without_points
-from riserstudy.report.wording import share, spaced
 from riserstudy.scene.fields import in_si
 from riserstudy.scene.quantities import QUANTITIES
 from riserstudy.study.models import StudyFile

@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 
 from riserstudy.grading.names import option_name
 from riserstudy.grading.reasons import reason, result_rows
+from riserstudy.grading.sentences_by_reading import rows_by_reading
 from riserstudy.grading.summary import VERDICTS
-from riserstudy.grading.words import remarks
-from riserstudy.grading.words_by_reading import rows_by_reading
+from riserstudy.grading.verdict_sentences import remarks
 from riserstudy.records.graded import Grounds, Influence, ItemResult
 
 #: columns of the database with the same names as fields of a result

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from riserstudy.grading.names import option_name
 from riserstudy.grading.sensitivity import correlation_ratio
-from riserstudy.report.wording import counted
+from riserstudy.report.formats import counted
 
 # most cases that are drawn; of more cases only every second, third and so on is drawn
 MOST_COLUMNS = 240

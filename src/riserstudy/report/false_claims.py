@@ -8,7 +8,7 @@ from typing import NamedTuple
 from scipy.stats import binomtest
 
 from riserstudy.files.csv_files import read_csv
-from riserstudy.report.wording import counted
+from riserstudy.report.formats import counted
 
 NAME = "false_claims.csv"
 BELIEVED = ("holds", "reproduced", "calibrated")

@@ -12,7 +12,7 @@ from riserstudy.dataset.limits import EXCEEDED, UNKNOWN, limit_in_words, numbere
 from riserstudy.dataset.unit_systems import read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.figures.grid import called
-from riserstudy.report.wording import counted
+from riserstudy.report.formats import counted
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 from riserstudy.records.words import sentence
 from riserstudy.report.claims import Claim, counted_verdicts
+from riserstudy.report.formats import counted, spaced
 from riserstudy.report.pictures import Figure
-from riserstudy.report.wording import counted, spaced
 from riserstudy.study.models import StudyFile
 
 WORDS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine")

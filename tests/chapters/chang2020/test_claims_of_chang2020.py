@@ -9,7 +9,7 @@ import xarray as xr
 from chapters.chang2020 import claims as checks
 from chapters.chang2020.derived import reductions_open
 from riserstudy.grading.grade import answers
-from riserstudy.grading.words_file import read_words
+from riserstudy.grading.words_of_size_file import read_words
 
 WORD = read_words(Path(__file__).parents[3] / "config").word
 MORE, SMALLER = WORD("increases"), WORD("smaller")

@@ -9,7 +9,7 @@ import xarray as xr
 
 from chapters.chang2020.claims import agree, similar_then_apart
 from riserstudy.grading.grade import answers
-from riserstudy.grading.words_file import read_words
+from riserstudy.grading.words_of_size_file import read_words
 
 WORD = read_words(Path(__file__).parents[3] / "config").word
 LIMITS = {"similar": WORD("similar"), "significantly": WORD("significant"), "amplitudes": [3.0, 10.0]}

@@ -9,7 +9,7 @@ import xarray as xr
 
 from chapters.fem_riser import claims as checks
 from chapters.fem_riser.along import amplitude_at, angles, drift_rate, place, stress_factor, without_drift
-from riserstudy.grading.words_file import read_words
+from riserstudy.grading.words_of_size_file import read_words
 from riserstudy.model.sea import current_table, profile
 from riserstudy.scene.load import read_scene
 from riserstudy.scene.units import to_si

@@ -6,7 +6,7 @@ import xarray as xr
 
 from chapters.liu2017.claims import stroke_begins_before_the_bottom, stroke_responds_fast, ufj_first
 from chapters.liu2017.limits import BOTTOM, LIMITS, START
-from riserstudy.grading.word import Word
+from riserstudy.grading.word_of_size import Word
 
 TIME = np.linspace(0.0, 150.0, 601)
 OBVIOUS = Word("obvious", 0.05, False, 0.02)

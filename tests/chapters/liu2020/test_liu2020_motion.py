@@ -15,7 +15,7 @@ from chapters.liu2020.derived.motion import lag_at, rao_readings, section, storm
 from chapters.liu2020.periods import beats, settling
 from riserstudy import load_scene
 from riserstudy.dataset.variables import attributes, density
-from riserstudy.grading.words_file import read_words
+from riserstudy.grading.words_of_size_file import read_words
 from riserstudy.study.read import read_study
 
 CONFIG = Path(__file__).parents[3] / "config"

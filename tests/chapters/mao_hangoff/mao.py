@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from riserstudy.grading.words_file import read_words
+from riserstudy.grading.words_of_size_file import read_words
 from riserstudy.scene.load import read_scene
 from riserstudy.scene.replaced_values import set_later
 from riserstudy.study.collect import dataset_of, results_of

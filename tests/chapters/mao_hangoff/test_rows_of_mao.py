@@ -13,7 +13,7 @@ from chapters.mao_hangoff.claims.towed import (
     lower_half_moves_more,
     steep_near_the_surface,
 )
-from riserstudy.grading.words_file import read_words
+from riserstudy.grading.words_of_size_file import read_words
 
 CONFIG = Path(__file__).parents[3] / "config"
 WORD = read_words(CONFIG).word

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from riserstudy.grading.names import option_name
+from riserstudy.grading.sentences_by_reading import HIT, JUDGED, all_of, by_reading, capital, share_of
 from riserstudy.grading.verdict import ENOUGH
-from riserstudy.grading.words_by_reading import HIT, JUDGED, all_of, by_reading, capital, share_of
 from riserstudy.records.graded import (
     Chosen,
     Grounds,

@@ -8,7 +8,7 @@ from typing import Self
 from pydantic import Field, model_validator
 
 from riserstudy.errors import InputError
-from riserstudy.grading.word import Word
+from riserstudy.grading.word_of_size import Word
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.percent import Percent
 from riserstudy.inputs.plain_yaml import read_yaml
