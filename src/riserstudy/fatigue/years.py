@@ -264,17 +264,16 @@ def _worst(
 
 def _between(here: Response, occurs: Occurrence, rate: float) -> float:
     """Relative error of interpolation between sea states at a place; NaN if an axis has too few values."""
-    if here.on_grid(occurs.values) or rate == 0.0:
-        return 0.0
-    error = 0.0
+    error, fine = 0.0, here.sums(occurs.values, occurs.shares)
     for axis in here.grid:
-        coarse = here.thinned(axis)
-        if coarse is None:
-            if len(here.grid[axis]) > 1:
-                return math.nan
+        between = here.between(axis, occurs.values[axis])
+        if rate == 0.0 or not between.any():
             continue
-        off = abs(float(in_parts(coarse, occurs.values, occurs.shares)) - rate)
-        error += off / (ORDER - 1.0) / rate
+        coarse = here.thinned(axis)
+        if not coarse:
+            return math.nan
+        off = [np.abs(one.sums(occurs.values, occurs.shares) - fine) for one in coarse]
+        error += float(np.max(off, axis=0)[between].sum()) / (ORDER - 1.0) / rate
     return error
 
 
