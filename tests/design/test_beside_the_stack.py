@@ -45,7 +45,7 @@ def released(seed, spatial, aside, folder):
     pull = 1.2 * hung / (count * cosine)
     rigging["linear"] = {"tension": pull, "stiffness": 0.05 * pull}
     rigging["damping"] = f"{0.05 * pull!r} N*s/m"
-    sinks = [(0.0, 0.0), (20.0, 0.0), (35.0, -FALL), (60.0, -FALL)]
+    sinks = [(0.0, 0.0), (10.0, 0.0), (20.0, 0.0), (35.0, -FALL), (45.0, -FALL), (60.0, -FALL)]
     tree["platform"]["heave"] = {"points": [{"time": f"{t!r} s", "value": f"{z!r} m"} for t, z in sinks]}
     tree["disconnect"] = {"at": "2 s", "over": "0.5 s", "stack": {"stiffness": 2e7}}
     if not aside:
