@@ -9,6 +9,7 @@ from ruamel.yaml import YAML
 from riserstudy.errors import InputError
 from riserstudy.figures.envelope import envelope
 from riserstudy.figures.time_series import time_series
+from riserstudy.scene.quantities import QUANTITIES
 from riserstudy.study.read import read_studies
 
 SCENES = Path(__file__).parents[2] / "config/scenes"
@@ -60,6 +61,33 @@ def test_what_a_plot_cannot_show_is_refused_at_planning(tmp_path, plot, quantity
     assert refused.value.where.endswith("config/studies/own.yaml")
     assert "figures.shown.of" in str(refused.value)
     assert said in str(refused.value)
+
+
+@pytest.mark.parametrize("quantity", [n for n, of in QUANTITIES.items() if of.is_array and not of.history])
+def test_what_has_no_history_is_refused_as_a_series(tmp_path, quantity):
+    with pytest.raises(InputError, match=f"'{quantity}' has no time history"):
+        read(tmp_path, {"plot": "time series", "of": [quantity]})
+
+
+@pytest.mark.parametrize("quantity", [n for n, of in QUANTITIES.items() if of.is_array and not of.along])
+def test_what_has_no_values_along_the_riser_is_refused_as_an_envelope(tmp_path, quantity):
+    with pytest.raises(InputError, match=f"'{quantity}' has no values along the riser"):
+        read(tmp_path, {"plot": "envelope", "of": [quantity]})
+
+
+@pytest.mark.parametrize(
+    "scene, plot, quantity, what",
+    [
+        ("bench/s4e", "lines", "bending_moment", "bending stiffness of every section"),
+        ("bench/s4e", "envelope", "shear_force", "bending stiffness of every section"),
+        ("bench/s4c", "lines", "ufj_angle", "top.x that is held"),
+        ("mao_hangoff/steady", "lines", "lfj_angle", "a held lower end or a riser.flex_joint_below"),
+    ],
+)
+def test_what_ends_and_strings_do_not_tell_is_refused(tmp_path, scene, plot, quantity, what):
+    figure, file = {"plot": plot, "of": [quantity]}, SCENES / f"{scene}.yaml"
+    with pytest.raises(InputError, match=f"whose scene has no .*{what}"):
+        read(tmp_path, figure, None, {"one": {}, "other": {"note": "b"}}, {"mesh": {"elements": 4}}, file)
 
 
 VESSEL = SCENES / "liu2017/ref_0.yaml"  # in the plane, with thrusters ahead alone

@@ -56,8 +56,14 @@ def quantity_of(name: str) -> str:
 
 
 def of_runs(name: str) -> bool:
-    """Whether a name belongs to a variable that runs return."""
+    """Whether a name is that of a quantity that runs return, with or without an ending."""
     return quantity_of(name) in OF_RUNS
+
+
+def arrays_of(quantity: str) -> list[str]:
+    """Names of the arrays in which runs return a quantity."""
+    of = QUANTITIES[quantity]
+    return [quantity + ending for ending in of.endings] if of.is_array else []
 
 
 def variables() -> dict[str, dict[str, str]]:

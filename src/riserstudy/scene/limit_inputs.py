@@ -27,8 +27,8 @@ def lacks(scene: Parts, limit: Limit) -> list[str]:
             if section.name in names
             for lack in wall_lacks(scene, section)
         ]
-    quantity = QUANTITIES[name]
-    return [] if quantity.is_in(scene) else [quantity.needs]
+    lack = QUANTITIES[name].lacks(scene)
+    return [lack] if lack else []
 
 
 class MeanTimes(NamedTuple):

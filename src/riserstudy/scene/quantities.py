@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Protocol
 if TYPE_CHECKING:
     from riserstudy.scene.analysis import Analysis
     from riserstudy.scene.disconnect import Disconnect
-    from riserstudy.scene.ends import Top
+    from riserstudy.scene.ends import Bottom, Top
     from riserstudy.scene.forcing import Platform
     from riserstudy.scene.riser import Section
     from riserstudy.scene.vessel import Vessel
@@ -26,6 +26,8 @@ class _SceneParts(Protocol):
 
     @property
     def riser(self) -> Sequence[Section]: ...
+    @property
+    def bottom(self) -> Bottom: ...
     @property
     def top(self) -> Top: ...
     @property
@@ -59,15 +61,35 @@ class Quantity:
     is_in: Callable[[_SceneParts], bool] = lambda _: True  # whether a scene has these fields
     # SI unit that the text of a limit is converted to. Absent: the quantity has no limits
     limit_unit: str = ""
-    along: bool = False  # whether the quantity has a value at every place along the riser
+    # whether runs return its largest and smallest values at every node along the riser
+    along: bool = False
     # quantity along the riser of which it is the value at the riser's lower end
     at_foot_of: str = ""
     # whether runs return it over the riser or time; if not, runs return one number
     is_array: bool = True
+    history: bool = True  # whether runs return it over time
     at_rest: bool = True  # whether runs also return its value at rest
+    of_beam: bool = False  # whether ``analysis.solver: hermite`` also returns it
     sign_is_convention: bool = False  # if so, a limit applies to the magnitude
     # names of the estimated errors that cover it
     errors: tuple[str, ...] = ("displacement",)
+
+    def lacks(self, scene: _SceneParts) -> str:
+        """What a scene lacks for the quantity; empty if its runs return it."""
+        if scene.analysis.solver and not self.of_beam:
+            return "lumped masses (without analysis.solver)"
+        return "" if self.is_in(scene) else self.needs
+
+    @property
+    def endings(self) -> tuple[str, ...]:
+        """Endings of the quantity's name in the arrays of runs; without an ending, it is the quantity."""
+        sizes = ("_absmax",) if self.along and self.sign_is_convention else ()
+        return (
+            "",
+            *(("_static",) if self.at_rest else ()),
+            *(("_max", "_min") if self.along else ()),
+            *sizes,
+        )
 
 
 def wall_lacks(scene: _SceneParts, section: Section) -> list[str]:
@@ -94,6 +116,23 @@ def range_lacks(scene: _SceneParts, section: Section) -> list[str]:
         lacks += ["water.surface"] if scene.water.surface is None else []
         lacks += ["gravity"] if scene.gravity is None else []
     return lacks + (["constant contents, which drain here"] if scene.drains and section.contents else [])
+
+
+def _bends(scene: _SceneParts) -> bool:
+    """Whether a riser has bending moments; with a section without bending stiffness, it is a string."""
+    return bool(scene.lateral) and all(section.elasticity[1] > 0.0 for section in scene.riser)
+
+
+def _has_upper_angle(scene: _SceneParts) -> bool:
+    held = scene.top.x == "held" or (scene.platform and scene.top.x == "platform")
+    return bool(scene.lateral and (held or (scene.vessel and _bends(scene))))
+
+
+def _has_lower_angle(scene: _SceneParts) -> bool:
+    if scene.analysis.solver and scene.analysis.duration is None:  # the beam returns it over time alone
+        return False
+    joint = _bends(scene) and any(section.flex_joint_below for section in scene.riser)
+    return bool(scene.lateral and (scene.bottom.hold == "wellhead" or joint))
 
 
 def _has_stroke(scene: _SceneParts) -> bool:
@@ -131,39 +170,46 @@ def _moving(needs: str, is_in: Callable[[_SceneParts], bool], error: str = "disp
 
 
 _OUT = "load or motion out of the plane"
-_ACROSS = "bending stiffness and a load across"
+_ACROSS = "bending stiffness of every section, and a load across"
 
 QUANTITIES: dict[str, Quantity] = {
-    "effective_tension": Quantity(limit_unit="N", along=True, errors=("tension",)),
+    "effective_tension": Quantity(limit_unit="N", along=True, of_beam=True, errors=("tension",)),
     "bending_moment": Quantity(
-        _ACROSS, lambda s: bool(s.lateral), "N*m", along=True, sign_is_convention=True, errors=("moment",)
+        _ACROSS, _bends, "N*m", along=True, of_beam=True, sign_is_convention=True, errors=("moment",)
     ),
     "shear_force": Quantity(
-        _ACROSS, lambda s: bool(s.lateral), "N", along=True, sign_is_convention=True, errors=("shear",)
+        _ACROSS, _bends, "N", along=True, history=False, sign_is_convention=True, errors=("shear",)
     ),
     "von_mises_stress": Quantity(
         "section with diameters and contents, or no gravity or water.surface",
         lambda s: not all(wall_lacks(s, section) for section in s.riser),
         "N/m^2",
         along=True,
+        history=False,
         errors=("moment", "tension"),
     ),
     "x": Quantity(
-        "load or motion across", lambda s: bool(s.lateral), "m", along=True, sign_is_convention=True
+        "load or motion across",
+        lambda s: bool(s.lateral),
+        "m",
+        along=True,
+        of_beam=True,
+        sign_is_convention=True,
     ),
     "y": Quantity(_OUT, lambda s: bool(s.spatial), "m", along=True, sign_is_convention=True),
-    "z": Quantity(),
+    "z": Quantity(along=True, of_beam=True),
     "ufj_angle": Quantity(
-        "top.x that is held, on the platform or a vessel",
-        lambda s: bool(s.lateral),
+        "load or motion across, and top.x that is held, on the platform or a vessel",
+        _has_upper_angle,
         "rad",
         sign_is_convention=True,
         errors=("angle",),
     ),
     "lfj_angle": Quantity(
-        "a held lower end, or a riser.flex_joint_below",
-        lambda s: bool(s.lateral),
+        "load or motion across, and a held lower end or a riser.flex_joint_below",
+        _has_lower_angle,
         "rad",
+        of_beam=True,
         sign_is_convention=True,
         errors=("angle",),
     ),
@@ -191,12 +237,14 @@ QUANTITIES: dict[str, Quantity] = {
         errors=("moment", "tension"),
     ),
     "overpull": Quantity(
-        "disconnect", _disconnects, "N", is_array=False, at_rest=False, errors=("overpull",)
+        "disconnect", _disconnects, "N", is_array=False, history=False, at_rest=False, errors=("overpull",)
     ),
     "lmrp_clearance": Quantity(
-        "disconnect", _disconnects, "m", is_array=False, at_rest=False, errors=("lift",)
+        "disconnect", _disconnects, "m", is_array=False, history=False, at_rest=False, errors=("lift",)
     ),
-    "damage_rate": Quantity("fatigue", lambda s: s.fatigue is not None, at_rest=False, errors=("damage",)),
+    "damage_rate": Quantity(
+        "fatigue", lambda s: s.fatigue is not None, history=False, at_rest=False, errors=("damage",)
+    ),
     "lift": _moving("disconnect", _disconnects, "lift"),
     "lift_rate": _moving("disconnect", _disconnects, "lift"),
     "lift_aside": _moving("disconnect", _disconnects, "lift"),

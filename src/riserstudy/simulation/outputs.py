@@ -23,6 +23,7 @@ from riserstudy.scene.analysis import Output
 from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.forcing import Position
 from riserstudy.scene.limits import ANGLES
+from riserstudy.scene.quantities import QUANTITIES
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.tensioners import Tensioners
 from riserstudy.simulation.curve import at_stations, curve_of, largest_moment
@@ -308,8 +309,8 @@ def sizes(arrays: Arrays) -> Arrays:
     """Largest magnitudes over time, ``_absmax``, at all nodes, of quantities whose sign is a convention."""
     return {
         f"{name}_absmax": np.maximum(abs(arrays[name + "_max"]), abs(arrays[name + "_min"]))
-        for name in ("x", "y", "bending_moment")
-        if name + "_max" in arrays
+        for name, of in QUANTITIES.items()
+        if "_absmax" in of.endings and name + "_max" in arrays
     }
 
 

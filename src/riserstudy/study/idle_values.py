@@ -48,12 +48,13 @@ def _replaced(study: Study) -> Iterator[str]:
 
 
 def _absent_outputs(study: Study) -> Iterator[str]:
-    left = {name: quantity_of(name) for name in study.model.keep or []}
-    left = {name: of for name, of in left.items() if of}
+    """A warning for each output to keep that the runs do not return."""
+    left = dict.fromkeys(study.model.keep or [], "")
     for index in study.grid.near_first([range(len(axis)) for axis in study.grid.axes]):
         if not left:
             return
         scene = study.grid.file(index).resolved()
-        left = {name: of for name, of in left.items() if not QUANTITIES[of].is_in(scene)}
-    for name, of in left.items():
-        yield f"{study.where}: keep: no run has {name!r}, which needs {QUANTITIES[of].needs}"
+        lacks = {name: QUANTITIES[quantity_of(name)].lacks(scene) for name in left}
+        left = {name: lack for name, lack in lacks.items() if lack}
+    for name, lack in left.items():
+        yield f"{study.where}: keep: no run has {name!r}, which needs {lack}"

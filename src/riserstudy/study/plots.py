@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from riserstudy.dataset.variables import ENDINGS, of_points
+from riserstudy.dataset.variables import of_points, quantity_of
 from riserstudy.errors import InputError
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.limits import SIGNED
@@ -16,10 +16,7 @@ from riserstudy.study.figures import FigureModel, Plot
 from riserstudy.study.limits import limited
 from riserstudy.study.study import Study
 
-ALONG = (
-    *("x", "y", "z", "effective_tension", "bending_moment"),
-    *("shear_force", "von_mises_stress"),  # only envelopes of these are returned
-)
+ALONG = tuple(name for name, of in QUANTITIES.items() if of.along)
 #: default statistic of a quantity in a heat map
 EXTREMES = {
     "bending_moment": "_absmax",
@@ -72,15 +69,16 @@ def shows(plot: Plot, study: Study) -> bool:
 
 def reason_to_leave_out(plot: Plot, quantity: str, study: Study) -> Reason | None:
     """Why a plot cannot show a quantity of a study; None if it can, or if only runs can decide."""
-    stem = next((quantity.removesuffix(e) for e in ENDINGS if quantity.endswith(e)), quantity)
+    stem = quantity_of(quantity) or quantity
+    of = QUANTITIES.get(stem)
     over_grid = plot in ("lines", "heat map")
     if of_points(quantity):
         return None if over_grid else Reason(f"is a single number per point, which {_a(plot)} does not show")
     if plot == "envelope" and stem not in ALONG:
         return Reason("has no values along the riser", f"use one of {', '.join(ALONG)}")
-    if plot == "time series" and (quantity != stem or stem in ALONG[-2:]):
+    if plot == "time series" and (quantity != stem or (of and not of.history)):
         return Reason("has no time history", "choose plot 'lines' or 'envelope', which show extremes")
-    if quantity.endswith("_static") and stem in QUANTITIES and not QUANTITIES[stem].at_rest:
+    if quantity.endswith("_static") and of and not of.at_rest:
         return Reason("has no value in static equilibrium")
     if plot == "envelope" and quantity.endswith("_absmax") and stem not in SIGNED:
         return Reason("has no magnitude along the riser, since its sign has a meaning")
@@ -120,9 +118,9 @@ def _reason_not_returned(plot: Plot, stem: str, study: Study) -> Reason | None:
     if scenes and plot == "time series" and all(s.analysis.duration is None for s in scenes):
         return Reason(f"has no time history, since the runs of {study.name!r} are static")
     of = QUANTITIES.get(stem)
-    if of and scenes and not any(map(of.is_in, scenes)):
-        why = f"is not returned by runs of {study.name!r}, whose scene has no {of.needs}"
-        return Reason(why)
+    lacks = [of.lacks(scene) for scene in scenes] if of else []
+    if lacks and all(lacks):
+        return Reason(f"is not returned by runs of {study.name!r}, whose scene has no {lacks[0]}")
     return None
 
 

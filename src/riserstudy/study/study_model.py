@@ -9,7 +9,15 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
-from riserstudy.dataset.variables import DIMENSIONS, OF_MODES, OF_RUNS, about_points, of_runs
+from riserstudy.dataset.variables import (
+    DIMENSIONS,
+    OF_MODES,
+    OF_RUNS,
+    about_points,
+    arrays_of,
+    of_runs,
+    quantity_of,
+)
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene.paths import within
@@ -88,9 +96,11 @@ class StudyModel(Strict):
             found = "the path contains a backslash"
             raise Misfit("scene", found, "write / between folders, also on Windows")
         for name in self.keep or []:
-            if not of_runs(name):
-                allowed = "use " + ", ".join(sorted(OF_RUNS)) + ", each also with an ending such as _max"
-                raise Misfit("keep", f"{name!r} is not an output of a run", allowed)
+            of = quantity_of(name)
+            if of not in OF_RUNS or name not in arrays_of(of):
+                names = arrays_of(of) if of in OF_RUNS else sorted(OF_RUNS)
+                also = "" if of in OF_RUNS else ", many of them also with an ending such as _max"
+                raise Misfit("keep", f"{name!r} is not an output of a run", f"use {', '.join(names)}{also}")
         if self.settings and self.tuned:
             raise Misfit("settings", "settings and tuned are both given", "remove one of them")
         self._only_coarser()
