@@ -89,12 +89,13 @@ class Analysis(Strict):
     undeflected``, it starts from the equilibrium without current. With ``start: unstretched``, it starts from
     the shape of the equilibrium, but with unstretched segments. If mesh and time step are not given, the
     engine chooses them so that the tolerance ``accuracy`` is met. The default tolerance is 0.2 % of
-    displacement and 1 % of moment. The default method of time integration is generalised-alpha with a
-    spectral radius of 0.8. In a scene with a sudden event (a disconnect, a tension loss without ``over``, or
-    ``failing`` cylinders), the default method is ESDIRK4. The default solver uses lumped masses; ``solver:
-    hermite`` uses beam elements for small slopes. Newton's iteration ends when the correction of positions is
-    smaller than ``newton_tolerance`` times the length of the riser. The default of ``newton_tolerance`` is
-    1e-9. A smaller value also reduces the limit for corrections of moments, by the same factor.
+    displacement, 1 % of moment and tension, and 5 % of fatigue damage. The default method of time integration
+    is generalised-alpha with a spectral radius of 0.8. In a scene with a sudden event (a disconnect, a
+    tension loss without ``over``, or ``failing`` cylinders), the default method is ESDIRK4. The default
+    solver uses lumped masses; ``solver: hermite`` uses beam elements for small slopes. Newton's iteration
+    ends when the correction of positions is smaller than ``newton_tolerance`` times the length of the riser.
+    The default of ``newton_tolerance`` is 1e-9. A smaller value also reduces the limit for corrections of
+    moments, by the same factor.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None

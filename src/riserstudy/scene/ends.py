@@ -233,11 +233,11 @@ class Top(Strict):
     The keys ``x`` (for x and y) and ``z`` state whether the riser's top follows the platform, is held, or is
     free.
 
-    With ``x: vessel``, the top moves with a vessel whose motion is computed, in the directions in which the
-    vessel is free. If the scene also has a ``platform``, the engine adds its horizontal first-order
+    With ``x: vessel``, the top follows the computed motion of a vessel along x, and along y if the vessel has
+    the key ``sway``. If the scene also has a ``platform``, the engine adds its horizontal first-order
     (wave-frequency) motions to the motion of the vessel. With ``z: platform``, the top also follows the
-    vertical first-order motions. The deck of the tensioners is always vertically above the riser's top, so an
-    ``offset`` moves the top and the deck.
+    vertical first-order motions. At rest, the centre of the tensioner deck is vertically above the riser's
+    top, so the key ``offset`` moves both.
 
     Without ``offset``, the top is vertically above the riser's bottom. Without ``elevation``, it has the
     height of the static equilibrium. Tension, tension loss, force, tensioners and body are absent if they are

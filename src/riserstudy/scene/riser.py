@@ -214,14 +214,15 @@ class Section(Strict):
     steel pipe with an outer diameter of 21 in, an inner diameter of 19 in and a mass of 318.2 kg/m. In sea
     water of 1025 kg/m^3, with a gravity of 9.81 m/s^2, the submerged weight of this pipe is 874.7 N/m. If the
     pipe is full of mud of 1200 kg/m^3, ``contents`` add 2153.4 N/m to this weight. There are two ways to
-    describe this pipe full of sea water. Give either a ``submerged_weight`` of 2714.1 N/m without contents,
-    or 874.7 N/m with contents of 1025 kg/m^3. If a section has no ``submerged_weight``, the engine computes
-    it from mass, diameters, gravity and water. Such a section must therefore have an inner diameter and
-    ``contents``; otherwise the engine refuses the scene. For a section that is wholly above the water,
-    ``submerged_weight`` is the weight in air. If a section crosses the water surface, the engine divides it
-    there in two cases: it has no ``submerged_weight``, or it has modules or lines. In results, the part above
-    the water is named ``<name>, above water``. For this part, the engine adds the weight of the water
-    displaced by the outer diameter to a given ``submerged_weight``.
+    describe this pipe full of sea water. Give either a ``submerged_weight`` of 874.7 N/m with ``contents`` of
+    1025 kg/m^3, or 2714.1 N/m, which includes 1839.4 N/m of water inside, without ``contents``. If a section
+    has no ``submerged_weight``, the engine computes it from mass, diameters, gravity and water. Such a
+    section must therefore have an inner diameter and ``contents``; otherwise the engine refuses the scene.
+    For a section that is wholly above the water, ``submerged_weight`` is the weight in air. If a section
+    crosses the water surface, the engine divides it there in two cases: it has no ``submerged_weight``, or it
+    has modules or lines. In results, the part above the water is named ``<name>, above water``. For this
+    part, the engine adds the weight of the water displaced by the outer diameter to a given
+    ``submerged_weight``.
 
     The key ``buoyancy_lift`` is the net lift of buoyancy modules in water. It has no effect on the
     simulation, because ``submerged_weight`` already includes the lift. Only the minimum tension formula of
