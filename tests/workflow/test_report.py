@@ -231,6 +231,7 @@ def test_bands_options_margins_and_notes_are_told_apart(claims):
     ]
     assert found["A2"].sentences == []
     assert found["A2"].results == [
+        ("Samples that agree with the paper", "256 of 256"),
         ("Base case", "The simulated value by which the claim is judged is 1.5; the claim is true."),
         ("Margin of the base case", "+25 %"),
     ]
