@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterable, Sequence
 from itertools import product
 from textwrap import fill
@@ -18,14 +19,15 @@ from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
 from riserstudy.figures.names import in_words
 from riserstudy.figures.style import key_below, panels
-from riserstudy.scene.limits import SIGNED
+from riserstudy.scene.limits import OF_THE_RISER, SIGNED
 
 #: dimensions that are not axes of the grid
 MOST = 7  # largest number of separate curves or panels
 ENDINGS = ("_max", "_min")
 SIZE = "_absmax"  # ending for the largest magnitude
 #: extremes of the riser alone, as for its limits: without stack, conductor and telescopic joint
-OF_THE_RISER = {"effective_tension_min": "smallest_tension"}
+SMALLEST_OF_THE_RISER = {"effective_tension_min": "smallest_tension"}
+OF_SIDES = {"_max": "largest", "_min": "smallest"}  # sides of the limits on an extreme, by its ending
 CHARACTERS = 14.0  # characters of a legend in an inch
 WRAPPED = 36  # number of characters beyond which a label continues on the next line
 LINE = 0.2  # height of a line of a legend (inches)
@@ -77,10 +79,12 @@ def extreme(dataset: xr.Dataset, name: str) -> xr.DataArray:
 
     Raises InputError when the dataset has no such quantity.
     """
-    if (alone := OF_THE_RISER.get(name)) in dataset:
+    if (alone := SMALLEST_OF_THE_RISER.get(name)) in dataset:
         return dataset[alone].rename(name).assign_attrs(attributes(str(alone)))
     ending = next((e for e in (*ENDINGS, SIZE) if name.endswith(e)), "")
     of, statistic = name.removesuffix(ending), ending.removeprefix("_") or "max"
+    if (limited := _of_the_riser(dataset, of, ending)) is not None:
+        return limited.rename(name).assign_attrs(attributes(name))
     own = largest_size(dataset, of) if ending == SIZE else statistic_of(dataset, of, statistic)
     if own is not None:  # from each run's nodes, before interpolation to common nodes
         return own.rename(name).assign_attrs(attributes(name))
@@ -92,6 +96,19 @@ def extreme(dataset: xr.Dataset, name: str) -> xr.DataArray:
     within = [dim for dim in values.dims if dim in OF_A_RUN]
     reduced: xr.DataArray = values.min(within) if ending == "_min" else values.max(within)
     return reduced.rename(name).assign_attrs(attributes(name) or values.attrs)
+
+
+def _of_the_riser(dataset: xr.Dataset, quantity: str, ending: str) -> xr.DataArray | None:
+    """The demand of a limit that applies to the riser alone; None if the dataset has no such limit.
+
+    An extreme with stack and conductor would not agree with the verdicts on this limit.
+    """
+    if quantity not in OF_THE_RISER or "demand_of_limit" not in dataset:
+        return None
+    for k, row in enumerate(json.loads(dataset.attrs.get("limits", "[]"))):
+        if (row["output"], row["side"], row["at"]) == (quantity, OF_SIDES.get(ending), ""):
+            return dataset["demand_of_limit"].isel(limit=k, drop=True)
+    return None
 
 
 def _size(dataset: xr.Dataset, name: str) -> xr.DataArray | None:

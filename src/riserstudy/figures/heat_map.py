@@ -83,15 +83,16 @@ def _quantity(name: str) -> str:
 def _allowables(dataset: xr.Dataset, name: str) -> list[float]:
     """Allowables of a quantity for the whole riser, in the reader's unit, on the side that is shown."""
     quantity = _quantity(name)
-    wrong = {"_max": ("smallest", "mean"), "_min": ("largest", "mean")}
-    side = wrong.get(name.removeprefix(quantity), ("mean",))
+    sides = {"": ("largest", "smallest"), "_max": ("largest",), "_min": ("smallest",)}
+    # the magnitude has a limit of quantities whose sign is a convention, and of these alone
+    side = ("largest",) if quantity in SIGNED else sides.get(name.removeprefix(quantity), ())
     factor = read_in(attributes(quantity).get("units", "")).factor
     levels = [
         factor * row["allowable"]
         for row in json.loads(dataset.attrs.get("limits", "[]"))
         if row["output"] == quantity
         and not row["at"]
-        and row["side"] not in side
+        and row["side"] in side
         and row["allowable"] is not None
     ]
     both = quantity in SIGNED and not name.endswith(SIZE)
