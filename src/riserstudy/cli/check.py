@@ -32,9 +32,9 @@ def check(
     """Check a scene against its limits.
 
     For each limit, the table gives the computed value, the allowable value, the utilisation, the place and
-    the time. The utilisation is the computed value divided by the allowable value, or the reverse for a lower
-    limit above zero. The first row is the governing limit, which is exceeded most or is closest to being
-    exceeded.
+    the time. The utilisation is the computed value divided by the allowable value. For a smallest allowed
+    value above zero, it is the allowable value divided by the computed value. The first row is the governing
+    limit, which is exceeded most or is closest to being exceeded.
 
     The exit status is 1 if a limit is exceeded. If no limit is exceeded, but a limit could not be evaluated,
     the exit status is 4.
