@@ -17,7 +17,7 @@ from riserstudy.seas.between_headings import Half, states_between
 from riserstudy.seas.cover import Cover, check_most, corners, cover, first, least
 from riserstudy.seas.directions import Between, Directions
 from riserstudy.seas.mesh_of_seas import MeshOfSeas, checked, estimated, mesh_of_seas, on_mesh
-from riserstudy.seas.record import with_peak_period
+from riserstudy.seas.record import interval_of_rows, with_peak_period
 from riserstudy.seas.riser_response import RiserResponse
 from riserstudy.seas.sea_states import SeaStates, sea_states
 from riserstudy.study.in_sea import sea_of
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 Notify = Callable[[str], None]
+ANY = 1.0  # a gamma (1) for periods of which only the rows with a value matter
 PRICED = 2  # number of runs from which the total time is estimated
 
 
@@ -170,5 +171,13 @@ def _price(of: SeaStates, riser: RiserResponse, effort: Effort) -> str:
 
 
 def interval_of(record: xr.Dataset) -> float:
-    """Time between rows of a record (s)."""
-    return float(record.attrs["interval_hours"]) * 3600.0
+    """Time between rows of a record with a sea state (s), for which each of these rows stands.
+
+    It is longer than the interval between heights if the record has a period in every third row only. Raises
+    InputError when the record has no heights and periods.
+    """
+    interval = float(record.attrs["interval_hours"])
+    known = sea_states(with_peak_period(record, ANY)).state_of_row >= 0
+    if not known[np.isfinite(record["significant_wave_height"].values)].all():
+        interval = interval_of_rows(record["time"].values[known], interval)
+    return interval * 3600.0

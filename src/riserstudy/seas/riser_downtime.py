@@ -106,6 +106,5 @@ def _counted(
     judged = found.among(there[known])
     hours = riser_hours(record, known & there, judged, riser.limits, error, sea)
     lines = summarise(parts, middles, hours, record, {limit.quantity.name for limit in limits})
-    time, interval = record["time"].values[known], float(record.attrs["interval_hours"])
-    history = Demands(time, interval, riser.seeds, riser.limits, found)
+    history = Demands(record["time"].values[known], riser.interval / 3600.0, riser.seeds, riser.limits, found)
     return Downtime(hours, dataset_of(file, parts, middles), lines, history)
