@@ -26,6 +26,11 @@ NOT_LIMITED = {
 }
 #: those whose allowable is never zero: an error is also small or large compared with it
 MAGNITUDES = ("angle", "shear")
+#: facts of a run with the largest values of which errors are shares, by the name of the error; of other
+#: errors, these are the extremes of their outputs
+SCALES = {"displacement": "largest_displacement", "lift": "lift_max"}
+#: facts of a run that `checked` uses
+FACTS = ("extremes", "error_estimate", "sampling_error", "vibration_since", *SCALES.values())
 # smallest remainder of a value after subtraction of its error, as a share; below it, nothing is known
 LEAST_LEFT = 0.1
 # largest error on a prescribed mesh, as a share, with which the place or time of reaching a limit is known
@@ -58,7 +63,8 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
     An output whose error exceeds its value does not meet any limit. A tolerance does not limit the error of
     angles, shear, strokes, tensioner forces, overpull and clearance, and a prescribed mesh does not limit any
     error. An output therefore meets a limit only if it meets the limit with its estimated error added.
-    ``facts``: facts of the run: its extremes, one row per output and place, and its estimated errors.
+    ``facts``: those of `FACTS` that the run has: its extremes, one row per output and place, and its
+    estimated errors.
     """
     rows = facts.get("extremes", [])
     estimated = facts.get("error_estimate", {})
@@ -140,8 +146,8 @@ def _absolute(share: float, outputs: Collection[str], facts: Mapping[str, Any]) 
     rows = [row for row in facts.get("extremes", []) if row["output"] in outputs]
     sides = ("largest", "smallest", "of_whole_run")
     largest = max((abs(row.get(side, 0.0)) for row in rows for side in sides), default=0.0)
-    if "lmrp_clearance" in outputs:  # its error is that of the lift
-        largest = max(largest, facts.get("lift_max", 0.0))
+    errors = {name for output in outputs for name in QUANTITIES[output].errors}
+    largest = max(largest, *(facts.get(SCALES[name], 0.0) for name in errors if name in SCALES), 0.0)
     return float(share * largest / max(1.0 - share, LEAST_LEFT))
 
 

@@ -134,6 +134,7 @@ class RunFacts(TypedDict, total=False):
     largest_bending_moment: Annotated[
         float, Column("largest magnitude of the bending moment, also between nodes", "N m")
     ]
+    largest_displacement: float  # m, of a node from where it is in an upright riser
     largest_bending_moment_s: Annotated[
         float, Column("arclength, from the bottom, at which the bending moment is largest", "m")
     ]

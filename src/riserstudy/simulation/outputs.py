@@ -315,11 +315,25 @@ def sizes(arrays: Arrays) -> Arrays:
 
 
 def peaks(arrays: Arrays) -> RunFacts:
-    """Largest bending moment on the curve, and its place."""
-    peak = largest_moment(arrays)
-    if peak is None:
-        return {}
-    return {"largest_bending_moment": peak[0], "largest_bending_moment_s": peak[1]}
+    """Largest bending moment on the curve, and its place; largest displacement of a node."""
+    found: RunFacts = {"largest_displacement": _largest_displacement(arrays)}
+    if (peak := largest_moment(arrays)) is not None:
+        found |= {"largest_bending_moment": peak[0], "largest_bending_moment_s": peak[1]}
+    return found
+
+
+def _largest_displacement(arrays: Arrays) -> float:
+    """Upper bound of the displacement of a node from the upright riser (m), from its envelopes and at rest.
+
+    Estimated errors of displacements are shares of the largest displacement in any direction.
+    """
+    square = np.zeros_like(arrays["s_node"])
+    for name in "xyz":
+        ends = (name + end for end in ("_max", "_min", "_static"))
+        away = [abs(arrays[end] - arrays["zero_" + name]) for end in ends if end in arrays]
+        if away:
+            square += np.max(away, axis=0) ** 2
+    return float(np.sqrt(square.max()))
 
 
 def of_tensioners(rig: Tensioners, arrays: Arrays, every_step: Arrays) -> list[RunWarning]:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from riserstudy.dataset.chapter_variables import chapter_table
 from riserstudy.dataset.extremes import OF_A_RUN, OVER, as_variables, of_runs
 from riserstudy.dataset.label import UNLABELLED, coordinates, dimensions, history, quantities, with_details
+from riserstudy.dataset.limits import FACTS
 from riserstudy.dataset.provenance import provenance_of_study
 from riserstudy.dataset.result import Result
 from riserstudy.dataset.title import titled
@@ -90,7 +91,7 @@ def _take(study: Study, points: list[Point], kept: dict[str, Result], shared: di
             facts = {
                 name: value if isinstance(value, float) else _once(shared, value)
                 for name, value in about.items()
-                if name in needed or (extremes and name == "extremes")
+                if name in needed or (extremes and name in FACTS)
             }
             arrays = {name: _once(shared, values) for name, values in stored.arrays.items()}
             kept[point.key] = Result(arrays, cast("RunFacts", facts))
