@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from random_rigs import moving, written
+from random_rigs import moving, shed_vortices, written
 
 from riserstudy.advice import ablation, effect_cost, recommendations
 from riserstudy.advice.ablation import Ablation, Changed, Measured, Peaks, fixed, measure
@@ -12,8 +12,11 @@ from riserstudy.advice.effect_shares import priced
 from riserstudy.advice.recommendations import COULD_GO, MISSING, NEEDED, NO_GAIN, NOT_MISSED, advice, row
 from riserstudy.dataset.result import Result
 from riserstudy.effects.catalogue import changes
+from riserstudy.effects.registry import ROLES
+from riserstudy.effects.vortex_lift import VortexLift
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.audit import UNEXPLAINED
+from riserstudy.solve.evaluate import Programs
 
 REMOVED = [one for one in changes() if one.kind == "removed"]
 ADDED = [one for one in changes() if one.kind == "added"]
@@ -48,6 +51,26 @@ def test_each_call_has_its_share_of_the_shortest_time(seed, explicit, monkeypatc
     assert calls["bending"] == 2 * forces + iterations
     assert calls["inertia"] == forces + matrices + steps
     assert sum(cost.share for cost in found) == pytest.approx(1.0)
+
+
+def test_every_role_has_a_count_of_its_calls():
+    assert sorted([*effect_cost.PER, *effect_cost.SELDOM]) == sorted(Programs._fields)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_vortices_are_timed_where_their_phases_are_solved(seed, monkeypatch):
+    """At each evaluation of forces, as the force itself."""
+    tree = shed_vortices(moving(seed, spatial=True, conductor=False))
+    facts = {"newton_iterations": 900, "steps": 300, "solve_seconds": 1.0}
+    timed = []
+    monkeypatch.setattr(effect_cost, "single", lambda *_: Result({"time": np.zeros(50)}, facts))
+    monkeypatch.setattr(effect_cost, "assemble", lambda calls, _: timed.append(calls[0]) or np.zeros((1, 2)))
+    monkeypatch.setattr(effect_cost, "_time_of", lambda *_: 1e-6)
+    file, mesh = fixed(SceneFile("rig.yaml", written(tree)), 1e4)
+    found = {one.name: one.calls for one in effect_cost.costs(file.resolved(), mesh, 0.1)}
+    functions = ROLES[VortexLift]
+    assert {functions["internal"], functions["string"]} <= {function for function, _ in timed}
+    assert found["vortex-induced vibration"] >= 2 * (900 + 300 + 50)
 
 
 @pytest.mark.parametrize("share", [0.0, 0.5, 1.0, 1.5, 10.0])

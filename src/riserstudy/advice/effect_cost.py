@@ -24,7 +24,9 @@ from riserstudy.solve.program import assemble
 REPEATED = 200  # calls in a timed program
 TIMES = 5  # repeats of a program, of which the shortest counts
 RUNS = 3  # repeats of a run, of which the shortest counts
-FORCES = ("drive", "law", "turn", "string", "device")
+FORCES = ("drive", "internal", "law", "turn", "string", "device")
+#: roles that a run calls only when it begins and ends
+SELDOM = ("compliance", "potential")
 #: count by which a run calls each role: per force evaluation, tangent, step or output
 PER = dict.fromkeys(FORCES, "evaluations") | {
     "string_inertia": "inertias",
@@ -59,7 +61,7 @@ def costs(scene: Resolved, mesh: Mesh, step: float | None) -> list[Cost]:
     calls: dict[str, int] = {}
     for effect, record in zip(model.effects, model.records, strict=True):
         for role, function in ROLES[type(effect.record)].items():
-            many = counts.get(PER.get(role, ""), 0)
+            many = 0 if role in SELDOM else counts.get(PER[role], 0)
             if not many:
                 continue
             program = np.tile(assemble([(function, record)], model.state), (REPEATED, 1))
