@@ -16,6 +16,7 @@ from riserstudy.scene.units import to_si
 
 PAPER = "design"
 MODE = "drilling"
+CURRENT = "surface_speed"  # axis of both studies (m/s)
 NEAR = 1e-6  # m
 Places = Mapping[str, tuple[float, float]]  # ends of parts of the riser (m), by name
 
@@ -32,10 +33,12 @@ def allowances(seas: xr.Dataset) -> xr.Dataset:
 def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.Dataset:
     """Offsets between which all limits of drilling are met, with the allowances of each sea.
 
+    In a current between two simulated ones, the larger of their allowances is used.
+
     Parameters
     ----------
     rests : risers at rest above the well.
-    seas : runs in irregular seas over ``significant_height`` and ``seed``.
+    seas : runs in irregular seas over ``significant_height``, ``surface_speed`` and ``seed``.
     reach : range of the search to either side, with its unit.
     """
     from riserstudy.design.operability import AtRest, offsets_at  # loads kernels
@@ -47,12 +50,15 @@ def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.D
     heights = seas["significant_height"]
     far = to_si(reach, "m")
     found, labels = [], []
-    for _, scene in scenes_of(rests):
+    for place, scene in scenes_of(rests):
         limits = [limit for limit in scene.limits or [] if limit.mode == MODE]
         labels = [label(limit) for limit in limits]
         at = AtRest(scene, far)  # common to all seas
         for height in heights.values:
-            own = {name: _by_place(each.sel(significant_height=height)) for name, each in added.items()}
+            own = {
+                name: _by_place(_in_current(each.sel(significant_height=height), place.get(CURRENT)))
+                for name, each in added.items()
+            }
             found.append([one[:2] for one in offsets_at(at, limits, far, own)])
     over = [str(dim) for dim in rests["point_key"].dims]
     shape = (*rests["point_key"].shape, len(heights), len(labels), len(SIDES))
@@ -65,6 +71,16 @@ def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.D
     made = xr.Dataset({"offset_of_limit": limits_of}).merge(envelopes(limits_of))
     made = described(made, PAPER, "offsets at which limits are reached, for several seas")
     return made.assign_attrs(reach=to_si(reach, "m"))
+
+
+def _in_current(each: xr.DataArray, speed: float | None) -> xr.DataArray:
+    """The larger allowance of the simulated currents next to a speed (m/s) of the current."""
+    if CURRENT not in each.dims or speed is None:
+        return each
+    speeds = each[CURRENT].values
+    below, above = speeds[speeds <= speed], speeds[speeds >= speed]
+    neighbours = [below.max(initial=speeds.min()), above.min(initial=speeds.max())]
+    return each.sel({CURRENT: neighbours}).max(CURRENT)
 
 
 def _by_place(each: xr.DataArray) -> float | dict[str, float]:

@@ -26,12 +26,9 @@ def operability_in_seas(operability_in_seas: xr.Dataset, allowances: xr.Dataset)
         widths = np.linspace(3.5, 1.2, len(heights))  # coinciding lines stay visible
         for colour, height, width in zip(_rising(len(heights)), heights, widths, strict=True):
             at = envelope.sel(mud_weight=mud, significant_height=height)
-            angle = np.rad2deg(float(allowances["ufj_angle_allowance"].sel(significant_height=height)))
+            angle = _degrees(allowances["ufj_angle_allowance"].sel(significant_height=height))
             speed, low, high = (at["surface_speed"], *(at.sel(offset_side=side) for side in ("low", "high")))
-            for one, label in (
-                (low, None),
-                (high, f"$H_s$ = {height:g} m (UFJ angle allowance {angle:.1f}°)"),
-            ):
+            for one, label in ((low, None), (high, f"$H_s$ = {height:g} m (UFJ angle allowance {angle}°)")):
                 ax.plot(speed, one, ".-", color=colour, lw=width, ms=5.0 + width, label=label)
             ax.fill_between(speed, low, high, color=colour, alpha=0.12, lw=0.0)
             _mark_end(ax, low, high, colour)
@@ -46,6 +43,12 @@ def operability_in_seas(operability_in_seas: xr.Dataset, allowances: xr.Dataset)
     legend_below(figure, [*handles, shade, none], [*labels, *words], 2)
     headline(figure, _answer(operability_in_seas.sel(operation=MODE)))
     return figure
+
+
+def _degrees(angles: xr.DataArray) -> str:
+    """The smallest and the largest of some angles (rad), in degrees with one decimal."""
+    low, high = (f"{np.rad2deg(float(one)):.1f}" for one in (angles.min(), angles.max()))
+    return low if low == high else f"{low} to {high}"
 
 
 def _mark_end(ax: Axes, low: xr.DataArray, high: xr.DataArray, colour: Any) -> None:

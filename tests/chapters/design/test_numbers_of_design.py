@@ -169,3 +169,22 @@ def test_each_sea_narrows_the_offsets_by_its_own_addition(monkeypatch):
     envelope = found["envelope_offset"].sel(operation="drilling")
     np.testing.assert_allclose(envelope.sel(offset_side="high"), [90.0, 80.0], rtol=1e-4)
     np.testing.assert_allclose(envelope.sel(offset_side="low"), [-90.0, -80.0], rtol=1e-4)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_an_allowance_in_any_current_is_one_of_its_simulated_neighbours_and_no_smaller(seed):
+    draw = np.random.default_rng(seed)
+    speeds = np.sort(draw.choice(np.arange(0.0, 2.0, 0.1).round(1), int(draw.integers(1, 5)), replace=False))
+    of = xr.DataArray(
+        draw.uniform(0.1, 1.0, (len(speeds), 2)), {"surface_speed": speeds, "place": ["a", "b"]}
+    )
+    for speed in [*speeds, *draw.uniform(-0.2, 2.2, 9)]:
+        found = seas._in_current(of, float(speed))
+        lower, upper = (speeds[speeds <= speed][-1:], speeds[speeds >= speed][:1])
+        near = [of.sel(surface_speed=one) for one in (*lower, *upper)]
+        for place in ("a", "b"):
+            values = [float(one.sel(place=place)) for one in near]
+            assert float(found.sel(place=place)) == max(values)
+    assert seas._in_current(of.isel(surface_speed=0, drop=True), 0.7).equals(
+        of.isel(surface_speed=0, drop=True)
+    )
