@@ -31,7 +31,8 @@ MEMORY = 4 * 2**30  # bytes of address space
 OF_WALLS = "von_mises_stress"  # without a value where a scene does not give the wall, as it says itself
 #: what a run says of itself that takes more than seconds
 PROGRESS = re.compile(
-    r"^riserstudy: (run \d+: |the first periods: |a coarser run|the requested run: |takes about ).*\n",
+    r"^riserstudy: "
+    r"(compiling|run \d+: |the first periods: |a coarser run|the requested run: |takes about ).*\n",
     re.MULTILINE,
 )
 
