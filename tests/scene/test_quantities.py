@@ -11,10 +11,10 @@ from riserstudy.dataset.limits import NOT_LIMITED
 from riserstudy.dataset.variables import ENDINGS, arrays_of, attributes
 from riserstudy.model.mesh import prescribed
 from riserstudy.records.facts import point_columns
-from riserstudy.scene.limits import UNITS
+from riserstudy.scene.limits import OF_ONE_PLACE, UNITS
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.quantities import QUANTITIES
-from riserstudy.simulation.error_estimate import CONTROLLED, HISTORIES, OF_ONE_PLACE
+from riserstudy.simulation.error_estimate import CONTROLLED, HISTORIES
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import finish, march
 from riserstudy.simulation.starting_mesh import coarsest_mesh, period

@@ -187,6 +187,9 @@ class RunFacts(TypedDict, total=False):
         _sampling("displacement", "displacement"),
         _sampling("bending moment", "moment"),
         _sampling("tension", "tension"),
+        _sampling("flex joint angles", "angle"),
+        _sampling("strokes", "stroke"),
+        _sampling("tensioner forces", "tensioner_force"),
         _sampling("fatigue damage", "damage"),
     ]
 

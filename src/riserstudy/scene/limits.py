@@ -16,6 +16,8 @@ from riserstudy.scene.units import to_si
 UNITS = {name: of.limit_unit for name, of in QUANTITIES.items() if of.limit_unit}
 ANGLES = tuple(output for output, unit in UNITS.items() if unit == "rad")
 STROKES = tuple(output for output in UNITS if QUANTITIES[output].errors == ("stroke",))
+#: outputs of one place, or of all cylinders together, whose error is one number: by its key
+OF_ONE_PLACE = {"angle": ANGLES, "stroke": STROKES, "tensioner_force": ("tensioner_force",)}
 #: outputs whose sign is a convention: their limits apply to the magnitude
 SIGNED = tuple(output for output in UNITS if QUANTITIES[output].sign_is_convention)
 #: outputs that have a value at every place along the riser

@@ -10,10 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.result import Result
-from riserstudy.scene.limits import ANGLES, STROKES
+from riserstudy.scene.limits import OF_ONE_PLACE
 from riserstudy.simulation.curve import SAME, at_stations, curve_of, largest_moment
 from riserstudy.simulation.section_forces import shear
-from riserstudy.simulation.vortex_vibration_statistics import NONE, Statistics, apart, of_plain, statistics
+from riserstudy.simulation.vortex_vibration_statistics import (
+    NONE,
+    Statistics,
+    apart,
+    of_plain,
+    rounding_of,
+    statistics,
+)
 
 Array = NDArray[np.float64]
 Arrays = dict[str, Array]
@@ -21,14 +28,11 @@ Arrays = dict[str, Array]
 #: quantities whose errors a tolerance limits, and which determine mesh and time step
 CONTROLLED = ("displacement", "tension", "moment", "damage")
 HISTORIES = ("x", "y", "z", "effective_tension", "bending_moment")
-#: outputs of one place, or of all cylinders together, whose error is one number: by its key
-OF_ONE_PLACE = {"angle": ANGLES, "stroke": STROKES, "tensioner_force": ("tensioner_force",)}
 # largest ratio of successive differences that an estimate uses: second order. A larger ratio is that of an
 # error of higher order, which can hide one of second order that is smaller but remains
 MOST_FALL = 4.0
 # curvature of the softest section that counts as zero (1/m): a strain of 5e-10 at a radius of half a metre
 FLAT = 1e-9
-UPRIGHT = 1e-9  # angle that counts as zero (rad)
 LEAST_FALL = 1.5
 STEEPEST_FALL = 20.0  # ratio above which it is not plausible; for fourth order it is 16
 SURE = {"shear": 2.0, "lift": 2.0}
@@ -302,13 +306,9 @@ def _extremes(run: Result, name: str) -> Array | None:
 
 def _rounding(name: str, arrays: Arrays) -> float:
     """Value of a quantity, in its SI unit, that counts as zero, since it may be a rounding error."""
-    if name == "angle":
-        return UPRIGHT
-    if name in ("displacement", "stroke"):
-        return NONE * float(arrays["s_node"][-1])
     if name == "moment" and "mesh_flexibility" in arrays:
         return _rounding_of_moment(arrays)
-    return 0.0
+    return rounding_of(name, float(arrays["s_node"][-1]))
 
 
 def _rounding_of_moment(arrays: Arrays) -> float:

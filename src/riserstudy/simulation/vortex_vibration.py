@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from riserstudy.errors import SimulationError
 from riserstudy.model.vortices import ramp_of, shedding, shedding_period, shortest_shedding_period, slowest
 from riserstudy.records.warning import RunWarning, warning
-from riserstudy.scene.limits import ANGLES
+from riserstudy.scene.limits import OF_ONE_PLACE
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.vortex_vibration_statistics import (
     FIELDS,
@@ -19,8 +19,9 @@ from riserstudy.simulation.vortex_vibration_statistics import (
     along,
     frequency,
     principal,
+    rounding_of,
     sampling,
-    sampling_of_angles,
+    sampling_of_one_place,
     vibration,
 )
 
@@ -103,9 +104,11 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
     facts["vibration_scatter"] = _scatter(parts, arrays["s"])
     often = interval <= period / OUTPUTS
     histories = {name: arrays[name][late] for name in FIELDS if name in arrays}
-    angles = {name: arrays[name][late] for name in ANGLES if name in arrays}
     facts["sampling_error"] = sampling(histories, arrays["s"], time, above, often)
-    facts["sampling_error"] |= sampling_of_angles(angles)
+    for key, names in OF_ONE_PLACE.items():
+        late_values = [arrays[name][late] for name in names if name in arrays]
+        error = sampling_of_one_place(late_values, rounding_of(key, float(arrays["s"][-1])))
+        facts["sampling_error"] |= {} if error is None else {key: error}
     if often:
         facts["vibration_frequency"] = frequency(time, principal(parts, most))
         return

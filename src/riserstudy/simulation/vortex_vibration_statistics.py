@@ -18,6 +18,7 @@ Array = NDArray[np.float64]
 SLOW = 0.5
 FEWEST_PERIODS = 8  # smallest number of periods for an error of the frequency
 NONE = 1e-9  # motion that may be a rounding error, as a share of the riser's length
+UPRIGHT = 1e-9  # angle that may be a rounding error (rad)
 MOVED = ("x", "y", "z")
 FIELDS = (*MOVED, "effective_tension", "bending_moment")
 
@@ -162,25 +163,31 @@ def sampling(
     return out
 
 
-def sampling_of_angles(histories: dict[str, Array]) -> dict[str, float]:
-    """Standard error of angles, divided by the largest angle; empty without angles.
+def rounding_of(name: str, length: float) -> float:
+    """Displacement, stroke (m) or angle (rad) that may be a rounding error, for a riser of a length (m)."""
+    return {"angle": UPRIGHT, "displacement": NONE * length, "stroke": NONE * length}.get(name, 0.0)
+
+
+def sampling_of_one_place(histories: list[Array], zero: float) -> float | None:
+    """Standard error of outputs of one place, divided by their largest value; None if all values are zero.
 
     It is the largest of the errors of means, of scatter about them, and of the largest values. For the
     largest values, the scatter between quarters of the run is taken as the scatter between runs.
-    ``histories``: histories by name, (times,), rad, over the evaluated time.
+    ``histories``: (times,) or (times, cylinders), in the same unit, over the evaluated time. ``zero``: value
+    in this unit that counts as zero.
     """
-    scale = max((float(np.abs(angle).max()) for angle in histories.values()), default=0.0)
-    if scale == 0.0:
-        return {}
+    scale = max((float(np.abs(values).max()) for values in histories), default=0.0)
+    if scale <= zero:
+        return None
     errors = []
-    for angle in histories.values():
-        size = float(angle.std())
-        away = np.square(angle - angle.mean())
-        errors.append(_of_blocks(angle, np.mean))
+    for values in (column for each in histories for column in each.reshape(len(each), -1).T):
+        size = float(values.std())
+        away = np.square(values - values.mean())
+        errors.append(_of_blocks(values, np.mean))
         errors.append(0.5 * _of_blocks(away, np.mean) / size if size > 0.0 else 0.0)
-        quarters = [np.abs(part).max() for part in np.array_split(angle, 4)]
+        quarters = [np.abs(part).max() for part in np.array_split(values, 4)]
         errors.append(float(np.std(quarters, ddof=1)))
-    return {"angle": max(errors) / scale}
+    return max(errors) / scale
 
 
 def _of_blocks(values: Array, statistic: Any) -> float:
