@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from riserstudy.dataset.extremes import OF_A_RUN
 from riserstudy.errors import InputError, SimulationError
 
 if TYPE_CHECKING:
@@ -32,21 +33,17 @@ def place(dataset: xr.Dataset, at: dict[str, str]) -> dict[str, int]:
     return index
 
 
-#: dimensions of runs, along which other points of a study may have more values
-OF_RUNS = ("time", "cylinder", "s", "s_node")
-
-
 def own_values(run: xr.Dataset) -> xr.Dataset:
     """One point of a study, or points along an axis, without coordinates that only other points have.
 
-    Longer runs have later times, and longer risers have more nodes. The values of this point there are NaN. A
-    static point has one constant value at all times of the others.
+    Longer runs have later times, longer risers have more nodes, and fatigue may be computed at more angles.
+    The values of this point there are NaN. A static point has one constant value at all times of the others.
     """
     if "point_key" not in run:
         return run
     if "time" in run.dims and "step" in run and run["step"].isnull().all():
         run = run.isel(time=0, drop=True)
-    for dim in (dim for dim in OF_RUNS if dim in run.dims):
+    for dim in (dim for dim in OF_A_RUN if dim in run.dims):
         has = [
             values.notnull().any([d for d in values.dims if d != dim]).values
             for values in run.data_vars.values()
@@ -67,7 +64,7 @@ def complete(run: xr.Dataset) -> xr.Dataset:
         which = "this point has" if len(reasons) == 1 else f"{len(failed)} of {len(reasons)} points have"
         raise SimulationError(f"{which} no results: {failed[0]}")
     run = own_values(run)
-    within = [name for name, values in run.data_vars.items() if {*OF_RUNS} & {*values.dims}]
+    within = [name for name, values in run.data_vars.items() if {*OF_A_RUN} & {*values.dims}]
     absent = [name for name in within if "point_key" in run and run[name].isnull().all()]
     return run.drop_vars(absent)  # such as y of a run in a plane
 
