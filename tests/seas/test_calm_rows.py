@@ -7,6 +7,7 @@ from test_riser_downtime import RISER, SEA
 from riserstudy import load_scene
 from riserstudy.seas.directions import FROM, Directions
 from riserstudy.seas.heading_parts import headings
+from riserstudy.seas.hours import hours, idle_limits, sea_limit
 from riserstudy.seas.riser_downtime import riser_downtime
 from riserstudy.seas.sea_states import sea_states
 from riserstudy.seas.synthetic import synthetic
@@ -72,3 +73,27 @@ def test_rows_that_are_left_out_are_counted_in_a_line(file, seed):
     (line,) = (one for one in found.lines if "not counted" in one)
     assert line.startswith(f"{some.sum()} further row")
     assert found.hours.modes[0].hours.rows == len(calm) - some.sum()
+
+
+@pytest.mark.parametrize("name, limit", [(PERIOD, "tp <= 9 s"), ("zero_crossing_period", "tz <= 7 s")])
+@pytest.mark.parametrize("seed", range(4))
+def test_calm_hours_without_a_period_are_hours_of_limits_on_the_sea(seed, name, limit):
+    """As if a buoy had recorded any period that meets the limit: they end no weather window."""
+    record = synthetic(2, seed + 20).rename({PERIOD: name}).copy(deep=True)
+    draw = np.random.default_rng(seed)
+    calm = record[HEIGHT].values < np.quantile(record[HEIGHT].values, draw.uniform(0.05, 0.3))
+    record[HEIGHT][calm] = 0.0
+    written = record.copy(deep=True)
+    written[name][calm] = 6.0
+    record[name][calm] = np.nan
+    record[name][draw.random(len(calm)) < 0.01] = np.nan  # in other rows, a missing period stays missing
+    written[name][np.isnan(record[name].values) & ~calm] = np.nan
+    limits = [sea_limit("hs <= 2 m"), sea_limit(limit)]
+    one, other = hours(record, limits), hours(written, limits)
+    assert (one.rows, one.lacking, one.years) == (other.rows, other.lacking, other.years)
+    np.testing.assert_array_equal(one.workable, other.workable)
+    assert one.of_windows(12.0) == other.of_windows(12.0)
+    assert idle_limits(record, limits) == []
+    none = record.isel(time=calm)
+    assert hours(none, limits).workable.all()
+    assert len(idle_limits(none, limits)) == 1  # only that on the height, of which there are values

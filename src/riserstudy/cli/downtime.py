@@ -281,6 +281,9 @@ def of_the_sea(
     found = hours(sea, limits)
     lacking = counted(found.lacking, "further row")
     print(f"{counted(found.rows, 'row')} of {found.interval:g} h; {lacking} without a value")
+    for one in limits:
+        if calm := int(one.calm(sea).sum()):
+            print(f"{counted(calm, 'row')} without waves or a {one.quantity.long_name} meet the limit on it")
     for line in found.notes:
         print(line)
     mean = banded(found.mean_year(ahead.persistence))

@@ -16,6 +16,7 @@ from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.units import to_si
 from riserstudy.seas.columns import NAMES, Column, plain
 from riserstudy.seas.record import interval_of_rows, next_to_each_other, rows_of
+from riserstudy.seas.sea_states import without_waves
 from riserstudy.seas.windows import Wait, Windows, statistics_of, waits, windows
 from riserstudy.seas.year_bands import Band, band, band_of_next
 from riserstudy.seas.years import WHOLE, Year, by_year
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 
 # relative rounding error of values in single precision, or converted from other units
 ROUNDING = 1e-6
+PERIODS = ("peak_period", "zero_crossing_period")  # quantities that a sea without waves does not have
 NAMED = 6  # largest number of months in a line
 NONE = np.zeros(0, bool)  # rows of a month without records
 _LIMIT = re.compile(r"\s*(?P<name>[\w ]+?)\s*(?P<sign><=|>=)\s*(?P<value>.+?)\s*")
@@ -45,11 +47,16 @@ class SeaLimit(NamedTuple):
         return f"{self.quantity.long_name} {sign} {self.value:g} {self.quantity.unit}"
 
     def met(self, record: xr.Dataset) -> NDArray[np.bool_]:
-        """Whether each row meets it within rounding; a row without a value does not."""
+        """Whether each row meets it within rounding; a row without a value does not, unless it is calm."""
         values = record[self.quantity.name].values
         slack = ROUNDING * abs(self.value)
         below, above = values <= self.value + slack, values >= self.value - slack
-        return np.asarray(below if self.largest else above)
+        return np.asarray((below if self.largest else above) | self.calm(record))
+
+    def calm(self, record: xr.Dataset) -> NDArray[np.bool_]:
+        """Rows without waves that lack the limited period, (rows,): it has no effect in them."""
+        lacking = np.isnan(record[self.quantity.name].values)
+        return np.asarray(lacking & without_waves(record) & (self.quantity.name in PERIODS))
 
 
 class Hours(NamedTuple):
@@ -209,8 +216,8 @@ def idle_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> list[str]:
     known, sentences = rows_with_values(record, limits), []
     for one in limits:
         met, unit = one.met(record)[known], one.quantity.unit
-        if met.all() or not met.any():
-            values = record[one.quantity.name].values[known]
+        values = record[one.quantity.name].values[known & ~one.calm(record)]
+        if len(values) and (met.all() or not met.any()):
             sentences.append(
                 f"{one}: {'every row meets' if met.all() else 'no row meets'} this limit; values of the "
                 f"record are {values.min():.3g} to {values.max():.3g} {unit}"
@@ -219,13 +226,13 @@ def idle_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> list[str]:
 
 
 def rows_with_values(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[np.bool_]:
-    """For each row, whether it has all quantities that limits name, (rows,).
+    """For each row, whether it has all quantities that limits name, (rows,); calm rows need no period.
 
     Raises InputError when the record lacks a quantity that a limit names, or no row has all of them.
     """
     check_limits(record, limits)
     every = np.ones(record.sizes["time"], bool)
-    needed = [np.isfinite(record[one.quantity.name].values) for one in limits]
+    needed = [np.isfinite(record[one.quantity.name].values) | one.calm(record) for one in limits]
     known = np.asarray(np.all([every, *needed], axis=0))
     if not known.any():
         names = ", ".join(one.quantity.name for one in limits)
