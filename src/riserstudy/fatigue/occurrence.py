@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.unit_names import scene_notation
+from riserstudy.dataset.unit_names import factor_between, scene_notation
 from riserstudy.errors import InputError
 from riserstudy.inputs.number_cell import number_in
 from riserstudy.inputs.text import read_text
@@ -32,7 +32,7 @@ PEAK = "peak_period"
 FROM = "wave_from_direction"
 WHOLE = 0.005  # largest excess of the sum of shares above one, due to rounding
 WEIGHTS = {"share": "%", "time": "h", "count": ""}  # columns with the occurrence, and their units
-OF_CALM = ("m", "s", "m s-1")  # units of axes to which `calm` applies
+OF_CALM = ("m", "s", "m/s")  # SI units of the axes to which `calm` applies
 TURNS = {"degree": 360.0, "rad": 2.0 * math.pi}  # a whole turn, by units of angles
 _HEAD = re.compile(r"\s*(?P<name>[^(\[]+?)\s*(?:[(\[](?P<unit>[^)\]]*)[)\]])?\s*")
 #: names that a column of a table or of a record may have for an axis, in lower case
@@ -256,7 +256,7 @@ def within(of: Occurrence, grid: Mapping[str, Array], calm: bool, units: Mapping
         slack = 1e-9 * max(abs(low), abs(high))
         below, above = values[axis] < low - slack, values[axis] > high + slack
         least = (
-            0.0 if units[axis] in OF_CALM and low >= 0.0 else math.inf
+            0.0 if _can_be_calm(units[axis]) and low >= 0.0 else math.inf
         )  # smallest value that `calm` replaces
         if calm and below.any() and values[axis].min() >= least:
             notes.append(
@@ -279,6 +279,11 @@ def within(of: Occurrence, grid: Mapping[str, Array], calm: bool, units: Mapping
                 ),
             )
     return of._replace(values=values, notes=tuple(notes))
+
+
+def _can_be_calm(unit: str) -> bool:
+    """Whether a unit is one of heights, periods or speeds, in SI or another system."""
+    return any(math.isfinite(factor_between(unit, of)) for of in OF_CALM)
 
 
 def _turned(values: Array, places: Array, turn: float | None) -> Array:
