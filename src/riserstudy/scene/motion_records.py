@@ -7,8 +7,6 @@ from itertools import pairwise
 from statistics import median
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-import numpy as np
-
 from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS, TimeSeries
 
@@ -42,7 +40,8 @@ def records(scene: Parts) -> Iterator[tuple[str, list[Any]]]:
 
 def excess_of(points: list[Any], duration: float) -> Excess | None:
     """The largest excess of a spline within a run of a duration (s); None if there is none."""
-    from scipy.interpolate import CubicSpline  # loaded where it is needed: it takes long
+    import numpy as np  # loaded where they are needed: it takes long
+    from scipy.interpolate import CubicSpline
 
     times, values = (np.array([getattr(point, of) for point in points]) for of in ("time", "value"))
     low, high = values.min(), values.max()
