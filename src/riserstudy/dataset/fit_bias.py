@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.further_seas import MOST, SAMPLES, fitted
+from riserstudy.dataset.further_seas import MOST, drawn_fits
 
 FloatArray = NDArray[np.float64]
 
@@ -57,6 +57,6 @@ def bias_of(count: int) -> Bias:
     if count > MOST:
         most, share = bias_of(MOST), MOST / count
         return Bias(share * most.mode, 1.0 + share * (most.scale - 1.0), share * most.variance)
-    modes, scales = fitted(np.random.default_rng(0).gumbel(size=(SAMPLES, count)))
+    modes, scales = drawn_fits(count)
     mode, scale = float(modes.mean()), float(scales.mean())
     return Bias(mode, scale, np.cov(modes - mode * scales / scale, scales / scale))

@@ -45,12 +45,18 @@ def _of_few(seas: int, share: float, longer: float) -> float:
     """The same, by drawn sets of seas."""
     from scipy.optimize import brentq
 
-    mode, scale = fitted(np.random.default_rng(0).gumbel(size=(SAMPLES, seas)))
+    mode, scale = drawn_fits(seas)
 
     def lacks(above: float) -> float:
         return share - float(np.exp(-longer * np.exp(-mode - above * scale)).mean())
 
     return float(brentq(lacks, -10.0, 1000.0))
+
+
+@cache
+def drawn_fits(seas: int) -> tuple[FloatArray, FloatArray]:
+    """Modes and scales (1) of fits to drawn sets of seas, (k,), whose true mode is 0 and true scale 1."""
+    return fitted(np.random.default_rng(0).gumbel(size=(SAMPLES, seas)))
 
 
 def fitted(values: FloatArray) -> tuple[FloatArray, FloatArray]:
