@@ -7,7 +7,7 @@ import textwrap
 from collections import Counter
 from pathlib import Path
 
-from riserstudy.grading.summary import VERDICTS
+from riserstudy.grading.summary import PLURALS, VERDICTS
 from riserstudy.records.words import listed
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -17,15 +17,15 @@ WIDTH = 140  # characters in a line of the pages
 
 #: verdicts in the order of the summary, in the words for one item and for several
 WORDS = (
-    (("reproduced",), "is reproduced", "are reproduced"),
-    (("holds",), "holds", "hold"),
+    (("reproduced",), *PLURALS["reproduced"]),
+    (("holds",), *PLURALS["holds"]),
     (
         ("depends",),
         "depends on omitted inputs or on an interpretation",
         "depend on omitted inputs or on an interpretation",
     ),
-    (("fails",), "fails", "fail"),
-    (("calibrated",), "agrees only with a fitted input", "agree only with a fitted input"),
+    (("fails",), *PLURALS["fails"]),
+    (("calibrated",), *PLURALS["calibrated"]),
     (
         ("not comparable", "not reproducible"),
         "cannot be checked or compared",
