@@ -52,6 +52,13 @@ studies:
     axes:
       steps: {path: analysis.step, unit: s, values: {start: 0.01, stop: 0.2, step: 0.01}}
       mass: {path: "riser[0].mass", unit: kg/m, values: [600, 700, 800]}
+  damped:
+    scene: scenes/riser.yaml
+    caption: its axes are spectral radii
+    set: {analysis.method: {rho_inf: 0.8}}
+    axes:
+      radius: {path: analysis.method.rho_inf, unit: "1", values: {start: 0, stop: 1, step: 0.05}}
+      mass: {path: "riser[0].mass", unit: kg/m, values: [600, 700, 800]}
   newmark:
     scene: scenes/riser.yaml
     caption: the method of a paper
@@ -140,6 +147,7 @@ def test_points_that_a_setting_is_held_against_are_none_that_it_was_tuned_on(fil
     [
         ("rest", "only dynamic runs can be tuned"),
         ("stepped", "sets analysis.step, which the tuning itself chooses"),
+        ("damped", "sets analysis.method.rho_inf, which the tuning itself chooses"),
         ("few", "3 points, fewer than twice"),
         ("newmark", "cannot be tuned"),
         ("absent", "no study 'absent'"),

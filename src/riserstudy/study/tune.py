@@ -92,10 +92,10 @@ def check_tunable(study: Study, count: int) -> None:
         if analysis.get(name) not in tuned:
             found = f"{analysis[name]!r} cannot be tuned"
             raise InputError(where, f"analysis.{name}", found, f"remove analysis.{name} to tune")
-    own = {"analysis"} | {f"analysis.{name}" for name in (*OWN, "solver")}
+    own = [f"analysis.{name}" for name in (*OWN, "solver")]
     for axis, values in study.axes.items():
         for path in (path for _, sets in values for path in sets):
-            if path in own or path.startswith("analysis.mesh."):
+            if path == "analysis" or any(f"{path}.".startswith(f"{one}.") for one in own):
                 found = f"sets {path}, which the tuning itself chooses"
                 raise InputError(where, f"axes.{axis}", found, "tune a study without this axis")
     if (points := len(study.grid)) < 2 * count:
