@@ -1,10 +1,12 @@
 r"""Positions of points on a rotated platform.
 
-Roll about x, pitch about y (the platform's vertical leans towards +x), yaw about z, in this order:
+The platform rotates first by roll about x, then by pitch about y, then by yaw about z. A positive pitch leans
+the vertical axis of the platform towards +x. A point or direction ``a`` that is fixed to the platform has,
+after these rotations, the position or direction
 
 .. math:: p = R_z(\psi)\,R_y(\theta)\,R_x(\varphi)\,a
 
-for a point or direction ``a`` fixed to the platform, with velocity and acceleration.
+This file also computes the velocity and the acceleration of p.
 """
 
 from __future__ import annotations

@@ -2,8 +2,9 @@ r"""Axial elasticity of the pipe.
 
 .. math:: T_e = EA\,(\ell / \ell_0 - 1)
 
-with the unstretched length as reference. T_e is the effective tension. Because weights are submerged weights,
-the pressures of contents and sea need no separate forces. Weights and fluid loads are given per unstretched
+Here EA is the axial stiffness, and the tension T_e is the effective tension. The stretched length of a
+segment is divided by its unstretched length. Because all weights are submerged weights, the model needs no
+separate forces for the pressures of contents and sea. Weights and fluid loads are given per unstretched
 length.
 
 References

@@ -2,7 +2,8 @@ r"""Axial structural damping, proportional to the rate of stretching (Kelvin-Voi
 
 .. math:: T_e = c_e\,\dot\ell_e
 
-Liu et al. (2020), Eq. 2, use :math:`c_e = 2 \zeta \sqrt{m_e k_e}` for each body of their model.
+Here c_e is the damping coefficient of segment e. Liu et al. (2020), Eq. 2, use :math:`c_e = 2 \zeta \sqrt{m_e
+k_e}` for each body of their model, with its mass, its stiffness and the damping ratio :math:`\zeta`.
 
 References
 ----------

@@ -1,6 +1,7 @@
 r"""Bending of the pipe in a plane, exact for large rotations.
 
-The angle by which the riser turns at node i follows from the moments around it,
+The angle by which the riser turns at node i follows from the moments at this node and at the two neighbouring
+nodes,
 
 .. math:: \alpha_i - \alpha_{i-1} = \sum_j A_{ij} M_j,\qquad
           A_{ii} = \sum_e \tfrac{5}{12}\,\ell_e/EI_e,\quad A_{i,i+1} = \tfrac{1}{12}\,\ell_i/EI_i,
@@ -16,8 +17,9 @@ The moments are unknowns of the solver, so no stiffness grows as :math:`EI/\ell^
 
 References
 ----------
-Elementary: Euler and Bernoulli's beam, M = EI times curvature. The shares 1/3 and 1/6 are those of
-Clapeyron's theorem of three moments (1857), 5/12 and 1/12 those of a parabola: theory, (2) to (5).
+Elementary: Euler and Bernoulli's beam, M = EI times curvature. The factors 1/3 and 1/6 are from Clapeyron's
+theorem of three moments (1857). The factors 5/12 and 1/12 are exact for a parabola: page on theory, equations
+(2) to (5).
 """
 
 from __future__ import annotations

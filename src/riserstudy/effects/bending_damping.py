@@ -2,13 +2,14 @@ r"""Bending structural damping, proportional to the rate of curvature (Kelvin-Vo
 
 .. math:: M = EI\,(\kappa + \tau\,\dot\kappa)
 
-The moments therefore follow from the turning angles plus :math:`\tau` times their rates. In a plane
-moments and angles are numbers, in space they are vectors of three components.
+Here :math:`\kappa` is the curvature, and :math:`\tau` the time constant of the damping. The moments therefore
+follow from the turning angles plus :math:`\tau` times the rates of these angles. In a plane, moments and
+angles are numbers; in space, moments and angles are vectors with three components.
 
 A flex joint at a node is not damped: at this node, the damping acts only on the pipe's share of the turning
-angle. The pipe's share of the turning angle is taken as the pipe's share of the node's flexibility. This
-choice neglects the square of :math:`\tau` times the frequency. The pipe's share decreases with the length of
-the segments.
+angle. The engine assumes that this share is equal to the pipe's share of the flexibility of the node. This
+assumption neglects the square of :math:`\tau` times the frequency. The shorter the segments are, the smaller
+is the pipe's share.
 
 References
 ----------

@@ -5,9 +5,10 @@ from the moments,
 
 .. math:: \theta_i = \frac{\varphi}{\sin\varphi}\; t_{i-1} \times t_i = \sum_j A_{ij} M_j,
 
-with the flexibility A of `bending`, the same in all directions. By the equilibrium of a segment, its shear
-force is :math:`Q_e = t_e \times (M_{e+1} - M_e) / \ell_e`. In a plane, both equations reduce to the equations
-of `bending`.
+Here :math:`\varphi` is the angle between the directions :math:`t_{i-1}` and :math:`t_i` of both segments. A
+is the flexibility of the effect `bending`, which is equal in all directions. By the equilibrium of a segment,
+its shear force is :math:`Q_e = t_e \times (M_{e+1} - M_e) / \ell_e`. In a plane, both equations reduce to the
+equations of the effect `bending`.
 
 References
 ----------

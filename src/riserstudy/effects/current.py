@@ -1,7 +1,7 @@
 """Steady current: horizontal water velocity from a table over elevation, with linear interpolation.
 
-Below and above the elevations of the table, its end values apply. The current is evaluated at the position of
-a node in the deformed riser.
+Below and above the elevations of the table, the end values of the table apply. The current is evaluated at
+the position of a node in the deformed riser.
 
 References
 ----------

@@ -1,20 +1,21 @@
 r"""Tensioner cylinders in space, between points of the deck and points of the tension ring.
 
-The reach of a cylinder is the distance of its ends minus its length at mid-stroke. The cylinder pulls the
-ring along its axis. The ring rotates with the top of the riser below it. Unequal pulls cause a moment
-:math:`m = \sum_c a_c \times F_c` about the centre of the ring. If the riser has the moment M below the
-ring, the telescopic joint therefore has :math:`M - m` above it. The component of m along the axis of the
-ring is a torque; it has no effect, because the riser is free to twist.
+The reach of a cylinder is the distance between its ends, minus its length at mid-stroke. The cylinder pulls
+the ring along its axis. The ring rotates with the top of the riser below it. Unequal pulls cause a moment
+:math:`m = \sum_c a_c \times F_c` about the centre of the ring, with the lever arm :math:`a_c` and the pull
+:math:`F_c` of each cylinder. If the riser has the bending moment M below the ring, the telescopic joint
+therefore has the bending moment :math:`M - m` above the ring. The component of m along the axis of the ring
+is a torque. This torque has no effect, because the riser is free to twist.
 
 The deck moves with a platform of prescribed motion, or horizontally with a freely floating vessel. A freely
 floating vessel is the top node of the riser, and carries the horizontal component of the pulls. The
 prescribed motion of a platform is added to the motion of the vessel.
 
 The static stiffness omits the derivative of the moment m, because this derivative is small compared with the
-stiffness of the riser. In motion the derivative is not small: over a step h, dampers c at a radius a resist a
-rotation of the ring like a spring of about c a^2 / h. In motion, the tangent therefore includes the
-derivative with respect to the direction of the riser below the ring, except for its effect at the upper end
-of the joint.
+stiffness of the riser. In motion, the derivative is not small. Over a time step h, dampers with the
+coefficient c at the radius a resist a rotation of the ring like a spring of about c a^2 / h. In motion, the
+tangent matrix therefore includes the derivative of m with respect to the direction of the riser below the
+ring, but not the effect of this derivative at the upper end of the telescopic joint.
 
 References
 ----------

@@ -2,13 +2,13 @@ r"""Morison drag from the component of the relative water velocity across the pi
 
 .. math:: f = \tfrac12 \rho\,C_D D\,|u_n|\,u_n,\qquad u_n = (u - \dot r) - ((u - \dot r)\cdot t)\,t
 
-per unstretched length, with the tangent t of the pipe. For drag that acts horizontally, t is the vertical.
-The direction of the pipe at a node depends on both neighbouring nodes. The exact derivative of a load that is
-shared with a neighbour would therefore not fit into the band of the stiffness matrix. The engine computes the
-derivative with respect to the direction of the pipe as if each load acted on one node only. The omitted term
-is a second difference, which is small for corrections that extend over several segments. In motion, the
-derivatives with respect to the direction are small compared with inertia, and the number of iterations is the
-same without these derivatives.
+The force f is per unstretched length, u is the water velocity, and t is the direction of the pipe. If the
+drag acts horizontally, t is the vertical direction instead. The direction of the pipe at a node depends on
+both neighbouring nodes. The exact derivative of a load that is shared with a neighbour would therefore not
+fit into the band of the stiffness matrix. The engine computes the derivative with respect to the direction of
+the pipe as if each load acted on one node only. The omitted term is small if the corrections of Newton's
+iteration vary slowly from segment to segment. In motion, the derivatives with respect to the direction are
+small compared with inertia, and the number of iterations is the same without these derivatives.
 
 References
 ----------

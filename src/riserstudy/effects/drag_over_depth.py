@@ -7,8 +7,9 @@ of the nodes,
 .. math:: c_{low} = 2 \int_0^1 (1 - \xi)\,C(z_\xi)\,d\xi,\qquad
           c_{up} = 2 \int_0^1 \xi\,C(z_\xi)\,d\xi,\qquad z_\xi = (1 - \xi) z_{low} + \xi z_{up},
 
-The load therefore changes smoothly while a segment moves through a jump of the coefficient. In all other
-respects, the force is the force of the effect ``drag``.
+The results are the weighted mean coefficients for the lower and the upper node of a segment. The load
+therefore changes smoothly while a segment moves through a jump of the coefficient. In all other respects, the
+force is equal to the force of the effect ``drag``.
 
 References
 ----------

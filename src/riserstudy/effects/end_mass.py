@@ -1,8 +1,9 @@
 r"""A concentrated mass at a node: LMRP, tension ring, telescopic joint.
 
 The concentrated mass has a submerged weight and inertia. Added mass :math:`m_a` and quadratic drag can differ
-between horizontal and vertical motion. With the relative velocity u of the water, its acceleration
-:math:`\dot w` and the displaced volume V,
+between horizontal and vertical motion. With the velocity u of the water relative to the mass, the
+acceleration :math:`\dot w` of the water, the acceleration a of the mass and the displaced volume V, the force
+of the water is
 
 .. math:: f = \tfrac12 \rho\,C_D A\,|u|\,u + (\rho V + m_a)\,\dot w - m_a\,a
 

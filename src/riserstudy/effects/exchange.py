@@ -9,8 +9,9 @@ times of a table,
    r = r_0 + x\,\Delta + x (1 - x) \big[(1 - x)(h v_0 - \Delta) + x (\Delta - h v_1)\big],\qquad
    \Delta = r_1 - r_0,
 
-with the derivative of r as velocity. The acceleration is interpolated linearly, and is therefore equal to the
-acceleration of the platform at each time of the table.
+Here h is the time between two rows of the table, and x is the fraction of h that has elapsed. The indices 0
+and 1 denote these two rows. The velocity is the derivative of r. The acceleration is interpolated linearly,
+and is therefore equal to the acceleration of the platform at each time of the table.
 
 References
 ----------

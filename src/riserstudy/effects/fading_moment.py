@@ -2,8 +2,9 @@ r"""Moment at the riser's lower end that decreases to zero while the connector r
 
 .. math:: M_0(t) = M\,\tfrac12\bigl(1 + \cos(\pi (t - t_0)/\tau)\bigr), \qquad 0 \le t - t_0 \le \tau
 
-With the angle theta of the riser's end, the moment has the potential energy M_0 theta, and its decrease
-supplies the power theta dM_0/dt.
+Here t_0 is the time at which the release starts, and tau its duration. With the angle theta of the riser's
+end, the moment has the potential energy M_0 theta. The decrease of the moment supplies the power theta
+dM_0/dt.
 
 References
 ----------

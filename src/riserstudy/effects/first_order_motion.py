@@ -2,13 +2,14 @@ r"""First-order (wave-frequency) motion of a freely floating platform, added to 
 
 .. math:: x = X(t) + \xi(t),\qquad \xi = \eta + R(\varphi)\,a - a
 
-at the top of the riser. X is the low-frequency position of the vessel, an unknown. :math:`\eta` and
-:math:`\varphi` are the prescribed motions, and a is the vector from the centre of rotation, which drifts
-with X, to the top. The effects `vessel` and `thrusters` depend on X alone: inertia, drag and control of
-the hull do not respond to the first-order motions, which the RAOs or the scene prescribe.
+The position x is the position of the riser's top. X is the low-frequency position of the vessel, an unknown.
+The prescribed motions are the displacement :math:`\eta` and the rotation :math:`\varphi`. The vector a points
+from the centre of rotation, which drifts with X, to the riser's top. The effects `vessel` and `thrusters`
+depend on X alone: inertia, drag and control of the hull do not respond to the first-order motions, which the
+RAOs or the scene prescribe.
 
-The position of the top contains both motions. This effect stores :math:`\xi` with its derivatives in
-``State.carried``, and changes the position by the change of :math:`\xi`; solvers integrate X.
+The position of the riser's top contains both motions. This effect stores :math:`\xi` with its derivatives in
+``State.carried``, and changes the position by the change of :math:`\xi`. The solvers integrate X.
 
 References
 ----------

@@ -2,10 +2,10 @@ r"""Flex joints (rotational springs) and clamps at the ends of the riser.
 
 .. math:: M = K\,\theta
 
-with the rotation :math:`\theta` from the direction of the support to the direction of the riser. In a plane,
-the rotation is a number; in space, it is a vector. The flexibility 1/K of the end node represents the joint.
-A clamp is therefore 1/K = 0, and the stiffness has no upper limit. The direction of the support is fixed, or
-rotates with the platform.
+Here K is the stiffness of the joint, and :math:`\theta` is the rotation from the direction of the support to
+the direction of the riser. In a plane, the rotation is a number; in space, it is a vector. The model
+represents the joint by the flexibility 1/K at the end node. A clamp therefore has the flexibility 1/K = 0,
+and the stiffness K has no upper limit. The direction of the support is fixed, or rotates with the platform.
 
 References
 ----------

@@ -3,8 +3,9 @@ r"""Foreshortening: a bent segment is longer than its chord, which adds to its t
 .. math:: T_e = EA\,\tfrac{\ell_0^2}{24}\,\kappa^2,\qquad
           \kappa^2 = \frac{M_e^2 + M_e M_{e+1} + M_{e+1}^2}{3\,EI^2}
 
-Without foreshortening, the tension due to lateral motion of a riser that is held at both ends would have an
-error of second order in the segment length.
+Here :math:`M_e` and :math:`M_{e+1}` are the bending moments at the ends of segment e. Without foreshortening,
+the tension due to lateral motion of a riser that is held at both ends would have an error of second order in
+the segment length.
 
 References
 ----------

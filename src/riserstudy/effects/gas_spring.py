@@ -2,8 +2,9 @@ r"""Gas of a tensioner cylinder, whose pressure follows from its volume by a pol
 
 .. math:: F = A\,P_0 \left(\frac{V_0}{V_0 - A\,x}\right)^k
 
-with the extension x of the cylinder from mid-stroke (Chang et al. 2020, Eqs. 1-3). In the paper, X is -x, the
-rise of the ring relative to the platform.
+Here x is the extension of the cylinder from mid-stroke, and A is the area of the piston (Chang et al. 2020,
+Eqs. 1-3). The gas has the pressure P_0 and the volume V_0 at mid-stroke, and the polytropic exponent k. The
+symbol X in the paper is -x, the rise of the ring relative to the platform.
 
 References
 ----------

@@ -2,8 +2,8 @@ r"""Guide, such as a frame or a centraliser: a spring between a point of the ris
 
 .. math:: \mathbf f = -k\,\mathbf x, \qquad V = \tfrac12 k\,|\mathbf x|^2
 
-in the horizontal directions only. At the guide, the shear force has a jump equal to the force of the guide,
-so the curve of the bending moment has a corner.
+The spring, with the stiffness k and the displacement x, acts in the horizontal directions only. At the guide,
+the shear force has a jump equal to the force of the guide, so the curve of the bending moment has a corner.
 
 References
 ----------

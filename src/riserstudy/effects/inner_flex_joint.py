@@ -2,7 +2,9 @@ r"""A flex joint between two sections of the riser.
 
 .. math:: \alpha_{above} - \alpha_{below} = M / K
 
-Since moments are unknowns, the joint is an additional flexibility 1/K of the node at the joint.
+The angles are the angles of the riser just above and just below the joint, M is the bending moment, and K is
+the stiffness of the joint. Because moments are unknowns of the solver, the model represents the joint by an
+additional flexibility 1/K of its node.
 
 References
 ----------

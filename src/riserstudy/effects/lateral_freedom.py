@@ -1,8 +1,8 @@
 """Lateral freedom: a second or third direction of motion, which adds unknowns but no forces.
 
-Lateral freedom has no record: the function `model.layout.directions` counts the directions that a scene
-needs. Without large rotations and axial motion, the model would be the beam for small angles of
-`solve.hermite`.
+Lateral freedom has no record (set of parameters): the function `model.layout.directions` counts the
+directions that a scene needs. Without large rotations and axial motion, the model would be equal to the beam
+with small angles in `solve.hermite`.
 """
 
 from __future__ import annotations

@@ -1,12 +1,12 @@
 r"""Prescribed motion of the platform: harmonic, constant velocity, or a time series.
 
-Over a ramp of the duration P, harmonic motion is multiplied by :math:`r(t) = \tfrac12 (1 - \cos \pi t/P)`.
-The speed of a cruise increases linearly over its ramp. A time series is interpolated by a cubic spline. The
-derivatives of the spline give velocity and acceleration.
+Over a ramp of the duration P, harmonic motion is multiplied by :math:`r(t) = \tfrac12 (1 - \cos \pi t/P)`. A
+cruise is a motion with constant velocity; its speed increases linearly over its ramp. A time series is
+interpolated by a cubic spline. The derivatives of the spline give velocity and acceleration.
 
-The motions of a cruising platform in waves follow the wave at the present place of the platform. With the
-distance x(t) of the cruise, the phase of a component is :math:`\omega t - \kappa x(t) + \varphi`, where
-:math:`\kappa` is the wave number along the cruise.
+The motions of a cruising platform in waves follow the wave at the present place of the platform. After the
+cruise over the distance x(t), the phase of a wave component is :math:`\omega t - \kappa x(t) + \varphi`,
+where :math:`\kappa` is the wave number along the cruise.
 
 References
 ----------

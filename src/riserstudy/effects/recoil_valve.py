@@ -5,10 +5,11 @@ r"""The recoil valve of a tensioner: it throttles the oil between cylinder and b
    \Delta F = \frac{\rho A^3}{2\,(C_d A_v)^2}\; \dot x\,|\dot x|, \qquad
    A_v(t) = A_{v0} \Big[\epsilon + (1 - \epsilon)\,\tfrac12\Big(1 + \cos\pi\,\frac{t - t_0}{\tau}\Big)\Big]
 
-on a cylinder with the extension x, for t_0 < t < t_0 + tau. Before t_0 the valve is open; after t_0 + tau the
-valve has the residual opening. The pull of the cylinder is never negative: if the gas cannot push the oil as
-fast as the piston moves, the pull is zero. The gas is then assumed to follow the piston, and the work of the
-gas is dissipated in the valve.
+The force :math:`\Delta F` is added to the pull of a cylinder with the extension x. The opening A_v decreases
+during the time t_0 < t < t_0 + tau. Before t_0 the valve is open; after t_0 + tau the valve has the residual
+opening. The pull of the cylinder is never negative: if the gas cannot push the oil as fast as the piston
+moves, the pull is zero. The gas is then assumed to follow the piston, and the work of the gas is dissipated
+in the valve.
 
 References
 ----------

@@ -1,6 +1,6 @@
 """The rotation vector that turns one direction into another, and its derivatives by both directions.
 
-In the plane of x and z it has one component, the angle about y, from z towards x.
+In the plane of x and z, the rotation vector has one component: the angle about y, from z towards x.
 
 References
 ----------

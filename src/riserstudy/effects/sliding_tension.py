@@ -2,7 +2,8 @@ r"""Constant pull of tensioners along a telescopic joint, and the end stops of t
 
 .. math:: T = T_0 + k\,[\max(0, \ell - \ell_{out}) + \min(0, \ell - \ell_{in})]
 
-with a stop at the largest extension, a stop where the barrels meet, or both. Stops are elastic springs
+Here T_0 is the constant pull, and :math:`\ell` the length of the joint. The joint has a stop at the largest
+extension, a stop where the barrels meet, or both stops. The stops are elastic springs with the stiffness k,
 without energy loss. A joint that is compressed to its inner stop pushes, so the axial force of the joint can
 be a compression.
 

@@ -1,6 +1,7 @@
 r"""Soil around a conductor: springs that resist the lateral displacement y of its nodes.
 
-The springs are linear, :math:`p = k\,y`, or follow Matlock's soft clay under static load,
+The springs have the resistance p per length. They are linear, :math:`p = k\,y`, or follow a p-y curve
+(resistance over displacement). For soft clay under static load, this curve is Matlock's curve,
 
 .. math:: p = \tfrac12\,p_u\,(y/y_{50})^{1/3},\qquad p \le p_u,
 

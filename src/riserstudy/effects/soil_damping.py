@@ -2,11 +2,12 @@ r"""Damping of soil: a dashpot parallel to each soil spring of a conductor.
 
 .. math:: \mathbf f = -c\,\dot{\mathbf x}, \qquad c = \frac{2\xi}{\omega}\,\frac{p(Y)}{Y}
 
-in the horizontal directions only. Soil dissipates energy by hysteresis: in a cycle of displacement Y,
-:math:`4\pi\xi` times the energy :math:`\tfrac12 p(Y)\,Y` of its secant stiffness. The dashpots dissipate the
-same energy per cycle as the soil at the displacement Y and the period :math:`2\pi/\omega`. At other
-displacements and periods, the energy that the dashpots dissipate per cycle is proportional to the square of
-the displacement and to the frequency.
+The dashpots (viscous dampers) act in the horizontal directions only. Soil dissipates energy by hysteresis. In
+a cycle with the amplitude Y of the displacement, the dissipated energy is :math:`4\pi\xi` times
+:math:`\tfrac12 p(Y)\,Y`, the energy of a spring with the secant stiffness. The dashpots dissipate the same
+energy per cycle as the soil at the displacement Y and the period :math:`2\pi/\omega`. At other displacements
+and periods, the energy that the dashpots dissipate per cycle is proportional to the square of the
+displacement and to the frequency.
 
 References
 ----------

@@ -2,8 +2,8 @@ r"""Gauge of the largest stress along a section; exerts no force.
 
 .. math:: \sigma = |T_e| / A + |M|\,D / 2I
 
-at the outer fibre. The formula uses the effective tension instead of the wall tension, and therefore neglects
-pressures.
+This sum of axial stress and bending stress is the stress at the outer fibre. The formula uses the effective
+tension instead of the wall tension, and therefore neglects pressures.
 
 References
 ----------

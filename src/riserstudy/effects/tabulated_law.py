@@ -2,9 +2,9 @@ r"""Pull of a tensioner cylinder from a table over its extension, interpolated b
 
 .. math:: F(x) = a_k t^3 + b_k t^2 + c_k t + d_k, \qquad t = x - x_k
 
-with the extension x of the cylinder. The cubics of Fritsch and Butland (1984) have a continuous slope and
-increase wherever the table increases. The first and the last piece are straight lines, which continue
-beyond the table.
+Here x is the extension of the cylinder, and the index k denotes an interval of the table. The cubics of
+Fritsch and Butland (1984) have a continuous slope and increase wherever the table increases. The first and
+the last piece are straight lines, which continue beyond the table.
 
 References
 ----------

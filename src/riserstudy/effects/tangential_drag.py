@@ -2,9 +2,10 @@ r"""Drag from the component of the relative water velocity along the pipe.
 
 .. math:: f = \tfrac12 \rho\,C_t\,\pi D\,|u_t|\,u_t\,t,\qquad u_t = (u - \dot r)\cdot t
 
-per unstretched length, with the direction t of a segment and the mean velocity of its two ends. Half of the
-load acts at each end. The load of a segment depends only on the positions and velocities of its two nodes.
-The tangent matrix is therefore exact, and the load never supplies energy to a pipe in still water.
+The force f is per unstretched length, t is the direction of a segment, and the velocities are the means of
+the velocities at its two ends. Half of the load acts at each end. The load of a segment depends only on the
+positions and velocities of its two nodes. The tangent matrix is therefore exact, and the load never supplies
+energy to a pipe in still water.
 
 References
 ----------

@@ -4,9 +4,10 @@ r"""Thrusters that hold a platform at a place, or at a heading.
 
    F_c = \mathrm{sat}\big(G\,(x_c(t) - x) - D\,\dot x\big),\qquad \tau \dot F + F = F_c
 
-in one direction, or in two directions with a limit on the magnitude of the thrust. The commanded position
-increases as :math:`x_c (1 - e^{-t/t_r})`. A lag :math:`\tau` adds one unknown per direction, in a loose
-node. The unknown is the path q of a unit mass that the force F_c / m drives against a damper,
+These equations apply in one direction, or in two directions with a limit on the magnitude of the thrust. The
+commanded position increases as :math:`x_c (1 - e^{-t/t_r})`. A lag :math:`\tau` adds one unknown per
+direction, in a node that is not part of the riser. This unknown is the path q of a unit mass that the force
+F_c / m drives against a damper,
 
 .. math:: \ddot q + \dot q / \tau = F_c / m,\qquad F = m\,\dot q / \tau ,
 

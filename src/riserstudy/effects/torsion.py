@@ -2,8 +2,9 @@ r"""Torsion of the riser: a spring that resists the yaw of the platform.
 
 .. math:: N = -\psi \Big/ \sum_k \frac{L_k}{G I_{p,k}}
 
-The rotary inertia of the riser in torsion is neglected: the lowest torsional frequency is hundreds of
-times the yaw frequency.
+Here :math:`\psi` is the yaw, and section k has the length :math:`L_k` and the torsional stiffness :math:`G
+I_{p,k}`. The rotary inertia of the riser in torsion is neglected: the lowest torsional frequency is hundreds
+of times the yaw frequency.
 
 References
 ----------

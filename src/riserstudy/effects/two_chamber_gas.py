@@ -3,9 +3,9 @@ r"""Tensioner gas on both sides of a piston: high pressure pulls the ring up, lo
 .. math:: F = A_h P_{h0} \left(\frac{V_{h0}}{V_{h0} - A_h\,x}\right)^k
               - A_l P_{l0} \left(\frac{V_{l0}}{V_{l0} + A_l\,x}\right)^k - W
 
-with the extension x of the cylinder and the weight W of piston and rod (Liu et al. 2020, Eq. 11). The piston
-stroke in the paper is -x. The high pressure acts on the annulus around the rod, and the low pressure acts on
-the bore.
+Here x is the extension of the cylinder, and W is the weight of piston and rod (Liu et al. 2020, Eq. 11). The
+piston stroke in the paper is -x. The high pressure acts on the annulus around the rod, and the low pressure
+acts on the bore.
 
 References
 ----------

@@ -6,17 +6,18 @@ r"""A freely floating platform: the riser's top node with the mass of the platfo
    = \sum_k \left(C_k |u|\,u_k\,e_k\right) + C_w |w|\,w + F_d,\qquad
    T = \tfrac12 \sum_k m_k (\dot r \cdot e_k)^2 + \tfrac12 I \dot\psi^2
 
-over the axes :math:`e_k` along and across the hull, which turn with its yaw :math:`\psi`. u and w are the
-velocities of the surface current and of the wind relative to the platform, and F_d is the mean wave drift.
-The time derivatives of T contain the forces and the moment that turn a moving hull broadside if its added
-mass is larger sideways. The water resists the yaw with the moment :math:`C_r |\dot\psi|\,\dot\psi`.
+The sums are over the axes :math:`e_k` along and across the hull, which turn with the yaw :math:`\psi` of the
+hull. The velocities of the surface current and of the wind relative to the platform are u and w, and F_d is
+the mean wave drift force. The time derivatives of T contain the forces and the moment that turn a moving hull
+broadside if its added mass is larger sideways. The water resists the yaw with the moment :math:`C_r
+|\dot\psi|\,\dot\psi`.
 
 If the platform has first-order motion (`first_order_motion`), r excludes the first-order motion: forces and
 inertia depend only on the slow motion.
 
 The unknown for yaw is an arc, :math:`\psi` times the radius of gyration. The unknown for yaw is therefore a
-length, like all other unknowns. Without sway the node is held across x. Without yaw the hull keeps its
-heading.
+length, like all other unknowns. If the scene excludes sway, the node is held across x. If the scene excludes
+yaw, the hull keeps its heading.
 
 References
 ----------

@@ -10,8 +10,8 @@ in addition to the mean drag. The phase :math:`\varphi_x` follows the velocity o
 :math:`v\cdot u/|u|`, by `synchronisation`, with three separate frequencies of about twice the frequencies of
 the lift. The phase of the varying drag is independent of the phase of the lift.
 
-As for the lift, the tangent omits the dependence of loads on the direction of the pipe, and of phases on
-elevation.
+As for the lift, the tangent matrix omits the dependence of loads on the direction of the pipe, and the
+dependence of phases on elevation.
 
 References
 ----------

@@ -2,19 +2,19 @@ r"""Water surface: drag, added mass and wave force act only on the part of a seg
 
 .. math:: w_e = \frac{d_+}{d_+ - d_-}
 
-for a segment with one end under water, at the depth d_+ below the surface, and the other end above it, at d_-
-< 0. The wet share :math:`w_e` of all other segments is 1 or 0. Between nodes, the elevation of the surface is
-interpolated linearly. The engine computes the loads of the segment as if the whole segment were under water,
-and multiplies the loads by the wet share. At the end above the surface, the water velocity is the velocity at
-the surface. The error is of second order in the segment length, and the loads do not jump when a node emerges
-or submerges.
+This is the wet share :math:`w_e` of a segment with one end under water, at the depth :math:`d_+` below the
+surface, and the other end above the surface, at the negative depth :math:`d_-`. The wet share of all other
+segments is 1 or 0. Between nodes, the elevation of the surface is interpolated linearly. The engine computes
+the loads of the segment as if the whole segment were under water, and multiplies the loads by the wet share.
+At the end above the surface, the water velocity is the velocity at the surface. The error of the loads is of
+second order in the segment length, and the loads do not jump when a node emerges or submerges.
 
 The submerged weight of a segment is the value of the scene, and does not change. The force due to the
 changing added mass (slamming) is neglected.
 
 References
 ----------
-None: the project's own, with its error above.
+None: the method is the project's own; its error is given above.
 """
 
 from __future__ import annotations

@@ -2,9 +2,10 @@ r"""Morison's inertia force: force of accelerating water across the pipe.
 
 .. math:: f = (1 + C_a)\,\rho\,\frac{\pi D^2}{4}\,(\dot u - (\dot u \cdot t)\,t)
 
-per unstretched length, with the local acceleration of the water. The part of the inertia force that depends
-on the acceleration of the pipe is the effect `added_mass`. The stiffness omits the change of the force with
-position. Over a time step, this change is at most a thousandth of the inertia.
+The force f is per unstretched length, :math:`\dot u` is the local acceleration of the water, and t is the
+direction of the pipe. The part of the inertia force that depends on the acceleration of the pipe is the
+effect `added_mass`. The stiffness matrix omits the change of the force with position. Over a time step, this
+change is at most a thousandth of the inertia.
 
 References
 ----------
