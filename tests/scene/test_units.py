@@ -53,7 +53,7 @@ def test_every_unit_that_the_page_lists_is_read_as_the_library_has_it(unit, name
 
 def test_the_page_lists_names_for_every_field_that_takes_a_unit():
     text = (Path(__file__).parents[2] / "docs/scene.md").read_text("utf-8")
-    asked = set(re.findall(r"quantity such as `1 ([^`]+)`", text))
+    asked = set(re.findall(r"(?:quantity|quantities) such as `1 ([^`]+)`", text))
     assert asked <= set(usual_units())
 
 

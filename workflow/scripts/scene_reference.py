@@ -22,20 +22,20 @@ HEAD = """\
 <!-- Written by workflow/scripts/make_reference.py from the models; edits here are lost. -->
 
 A scene is a YAML file that describes one riser, its supports, its motions and its surroundings. **The engine
-simulates only what the scene contains**, and no value has a default that changes the physics. The command
-`riserstudy effects SCENE.yaml` lists the effects (physical mechanisms) of a scene file, and the line of the
-file that includes each effect.
+(simulation program) simulates only what the scene contains**: no default value adds a physical effect. The
+command `riserstudy effects SCENE.yaml` lists the effects (physical mechanisms) of a scene file, and the line
+of the file that includes each effect.
 
 Write each value with the unit of its source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`. The engine
-(simulation program) converts all values to SI units. The section [Units](#units) lists the unit names. The
-engine refuses a value without a unit if a unit is required. A rotational stiffness must have `/deg` or `/rad`
-in its unit. A pressure must have `absolute` or `gauge` after its unit. The unit `t` (tonne) is a unit of
-mass; for a force, write `tf`. Elevations increase upwards from one datum of your choice. Arclengths along the
-riser start at its lower end.
+converts all values to SI units. The section [Units](#units) lists the unit names. The engine refuses a value
+without a unit if the key of this value requires a unit. The unit of a rotational stiffness must contain
+`/deg` or `/rad`. Elevations increase upwards from one datum, which you can choose freely. Arclengths along
+the riser start at its lower end.
 
-Every value of a scene has an origin, which states where the value comes from. A value without a stated origin
-is *published* if the scene has the key `paper`, and *given* otherwise. Any other origin is written together
-with the value, as in these examples:
+Every value of a scene has an origin, which states where the value comes from. If the scene has the key
+`paper`, a value without a stated origin is *published*: the paper prints it. In a scene without the key
+`paper`, such a value is *given*: you know it. Write any other origin together with the value, as in these
+examples:
 
 ```yaml
 count: {assumed: 6, options: [6, 7], because: "six make the pull that the paper states"}
@@ -45,26 +45,26 @@ added_mass: {derived: 1198 kg/m, from: "Ca rho pi D^2/4"}
 interval: {chosen: 0.1 s, because: "output interval of the run"}
 ```
 
-An *assumed* value is not known; a `range` or `options` can give other possible values. A study (a set of
-simulations) can vary all *assumed* values with a `range` or `options` together. A *calibrated* value was
-fitted to a published number. A *derived* value was computed from other values. A *chosen* value does not
-describe the riser; examples are the datum of elevations and the output interval. The list `inputs` of a file
-in `config/published` contains the values that a paper prints. In the scene of this paper, every value without
-a stated origin must be in the list.
+An *assumed* value is your estimate of an unknown value; the key `range` or `options` can give other possible
+values. A study (a set of simulations) can vary all assumed values with a `range` or `options` at the same
+time. A *calibrated* value was fitted to a published number. A *derived* value was computed from other values.
+A *chosen* value does not describe the riser; examples are the datum of elevations and the output interval.
+For each paper, a file in `config/published` can contain a list `inputs`, which names the values that the
+paper prints. In a scene of this paper, every value without a stated origin must be in this list.
 
-You can give a table as a CSV file next to the scene file, for example `profile: {file: current.csv}`. The
-first line of the CSV file gives the names of the columns with their units, in any order. The following keys
-accept a CSV file with these columns:
+You can give a table as a CSV file in the folder of the scene file, for example `profile: {file:
+current.csv}`. The first line of the CSV file gives the names of the columns with their units, in any order.
+The following list names the keys that accept a CSV file, each followed by the columns of its file:
 
 %s
 
 In the table of response amplitude operators (`operators`), each motion can have a second column for its
 phase, for example `heave_phase`.
 
-Editors that support JSON schema can complete and check scene files. The command `riserstudy schema` prints
-the schema, [`scene.schema.json`](../workflow/schemas/scene.schema.json). To use it, write the following
-comment in the first line of a scene file. The path in this comment is relative to the folder of the scene
-file.
+An editor that supports JSON schemas (descriptions of allowed keys and values) can complete and check scene
+files. The command `riserstudy schema` prints the schema,
+[`scene.schema.json`](../workflow/schemas/scene.schema.json). To use this schema, write the following comment
+in the first line of a scene file. The path in this comment is relative to the folder of the scene file.
 
 ```yaml
 # yaml-language-server: $schema=../../../workflow/schemas/scene.schema.json
@@ -74,11 +74,12 @@ file.
 
 def scene_reference() -> str:
     """Return the page as Markdown."""
-    tables = []
+    keys: dict[str, list[str]] = {}  # keys of tables, by the names of their columns
     for place in PLACES:
         columns = ", ".join(" or ".join(f"`{n}`" for n in names) for names in place.columns)
         more = f", and optionally {_named(place.optional)}" if place.optional else ""
-        tables.append(f"- `{'.'.join((*place.way, place.name))}`: {columns}{more}")
+        keys.setdefault(columns + more, []).append(f"`{'.'.join((*place.way, place.name))}`")
+    tables = [f"- {', '.join(names)}: columns {columns}" for columns, names in keys.items()]
     parts = [HEAD % "\n".join(tables), units()]
     for model in models():
         parts.append(f"## {title(model)}\n\n{_prose(model)}\n")
@@ -95,12 +96,12 @@ def _named(columns: tuple[str, ...]) -> str:
 UNITS = """\
 ## Units
 
-A unit is a product or a quotient of names, with powers: `kN*m/deg`, `lb/ft`, `m^2`. The following table lists
-the usual names by SI unit. A scene can also contain other unit names of the Python library pint. A pressure
-requires the word `absolute` or `gauge` after its unit; a modulus or a stress does not require it. The unit
-`t` is a tonne, `short_ton` is 2000 lb, and `gal` is a US gallon. A barrel (`bbl`) is 42 US gallons. The unit
-`lb` is a mass; `lbf`, `kip` and `tf` are forces. The engine refuses `ton`, because it can mean 1000 kg, 2000
-lb or 2240 lb.
+A unit is a product or a quotient of names, with powers, for example `kN*m/deg`, `lb/ft` or `m^2`. The
+following table lists the usual unit names, grouped by SI unit. A scene can also contain other unit names of
+the Python library pint. A pressure requires the word `absolute` or `gauge` after its unit; a modulus or a
+stress does not require this word. The name `t` is a tonne, `short_ton` is 2000 lb, and `gal` is a US gallon.
+A barrel (`bbl`) is 42 US gallons. The names `t` and `lb` are units of mass; `tf` (tonne-force), `lbf` and
+`kip` are units of force. The engine refuses the name `ton`, because it can mean 1000 kg, 2000 lb or 2240 lb.
 
 | SI unit | names |
 |---|---|
@@ -160,7 +161,7 @@ def describe(kind: Any, limits: list[Any]) -> str:
     if get_origin(kind) is Literal:
         return " or ".join(f"`{choice}`" for choice in choices)
     if get_origin(kind) is list:
-        return f"list of {describe(choices[0], [])}"
+        return _several(describe(choices[0], []))
     if type(None) in choices:
         return " or ".join(describe(c, limits) for c in choices if c is not type(None))
     if choices and not inspect.isclass(kind):
@@ -168,6 +169,15 @@ def describe(kind: Any, limits: list[Any]) -> str:
     if inspect.isclass(kind) and issubclass(kind, BaseModel):
         return f"[{title(kind)}](#{title(kind).lower().replace(' ', '-')})"
     return _plain(kind, limits)
+
+
+def _several(text: str) -> str:
+    """Describe a list of values, of which each is described by the text."""
+    for one in ("whole number", "number", "text", "quantity"):
+        if text == one or text.startswith((f"{one},", f"{one} such as")):
+            many = "quantities" if one == "quantity" else f"{one}s"
+            return f"list of {many}{text[len(one) :].replace(', ', ', each ', 1)}"
+    return f"list of {text}"
 
 
 def _plain(kind: Any, limits: list[Any]) -> str:

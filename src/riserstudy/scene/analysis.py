@@ -22,7 +22,10 @@ MOST_VALUES = 300_000_000  # largest number of values of a history over all time
 
 
 class Layers(Strict):
-    """Length of the layer of short segments at each end of the riser; a suitable length is sqrt(EI/T)."""
+    """Length of the layer of short segments at each end of the riser.
+
+    A suitable length is sqrt(EI/T), with the bending stiffness EI and the effective tension T.
+    """
 
     bottom: Annotated[u.Length, POSITIVE] | None = None
     top: Annotated[u.Length, POSITIVE] | None = None
@@ -44,15 +47,15 @@ class Mesh(Strict):
 class GeneralisedAlpha(Strict):
     """Implicit time integration (generalised-alpha) with the spectral radius rho_inf at high frequency.
 
-    If ``rho_inf`` is 1, the method itself dissipates no energy. With a smaller value, the method damps motion
-    that the time step does not resolve.
+    If ``rho_inf`` is 1, the method itself dissipates no energy. With a smaller value, the method damps
+    motions that are too fast for the time step.
     """
 
     rho_inf: Annotated[float, Field(ge=0, le=1)]
 
 
 class Newmark(Strict):
-    """Newmark's implicit time integration."""
+    """Newmark's implicit time integration, with its parameters beta and gamma."""
 
     beta: Annotated[float, Field(ge=0.001, le=1)]
     gamma: Annotated[float, Field(ge=0, le=1)]
@@ -61,9 +64,10 @@ class Newmark(Strict):
 class Output(Strict):
     """Times and places of time histories, by default from the start of the run and at all nodes.
 
-    The engine evaluates extremes and limits from the time ``start`` on. The key ``stations`` lists the
-    arclengths at which time histories are stored. The key ``stress_in`` names a section: the time histories
-    then include the largest stress at its outer fibre.
+    The key ``interval`` is the time between two stored values. The engine evaluates extremes and limits from
+    the time ``start`` on. The key ``stations`` lists the arclengths at which time histories are stored. The
+    key ``stress_in`` names a section; the time histories then include the largest stress at the outer surface
+    of this section.
     """
 
     interval: Annotated[u.Time, POSITIVE]
@@ -83,19 +87,20 @@ class Output(Strict):
 class Analysis(Strict):
     """Settings of the simulation.
 
-    Without ``duration``, only the static equilibrium is computed, with the platform at its ``position`` and
-    the current at its full speed. A warning then lists the parts of the scene that have no effect, such as
-    motions, waves and thrusters. By default, the simulation starts from the static equilibrium. With ``start:
-    undeflected``, it starts from the equilibrium without current. With ``start: unstretched``, it starts from
-    the shape of the equilibrium, but with unstretched segments. If mesh and time step are not given, the
-    engine chooses them so that the tolerance ``accuracy`` is met. The default tolerance is 0.2 % of
-    displacement, 1 % of moment and tension, and 5 % of fatigue damage. The default method of time integration
-    is generalised-alpha with a spectral radius of 0.8. In a scene with a sudden event (a disconnect, a
-    tension loss without ``over``, or ``failing`` cylinders), the default method is ESDIRK4. The default
-    solver uses lumped masses; ``solver: hermite`` uses beam elements for small slopes. Newton's iteration
-    ends when the correction of positions is smaller than ``newton_tolerance`` times the length of the riser.
-    The default of ``newton_tolerance`` is 1e-9. A smaller value also reduces the limit for corrections of
-    moments, by the same factor.
+    Without ``duration``, the engine computes only the static equilibrium, with the platform at its
+    ``position`` and the current at its full speed. A warning then lists the parts of the scene that have no
+    effect, such as motions, waves and thrusters. By default, the simulation starts from the static
+    equilibrium. With ``start: undeflected``, it starts from the equilibrium without current. With ``start:
+    unstretched``, it starts from the shape of the equilibrium, but with unstretched segments. If mesh and
+    time step are not given, the engine chooses them so that the tolerance ``accuracy`` is met. The default
+    tolerance is 0.2 % for displacement, 1 % for moment and tension, and 5 % for fatigue damage. The default
+    method of time integration is generalised-alpha with a spectral radius of 0.8. In a scene with a sudden
+    event (a disconnect, a tension loss without ``over``, or ``failing`` cylinders), the default method is
+    ESDIRK4. The default solver uses lumped masses; ``solver: hermite`` uses beam elements for small slopes.
+    Newton's iteration (the solution of nonlinear equations in each time step) ends when the correction of
+    positions is smaller than ``newton_tolerance`` times the length of the riser. The default of
+    ``newton_tolerance`` is 1e-9. A smaller value also reduces the limit for corrections of moments, by the
+    same factor.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None

@@ -18,13 +18,13 @@ READINGS = {"R1": lambda b: (1.0 - b, 1.0 - b), "R2": lambda b: (b, b), "R3": la
 class Buoyancy(Strict):
     """Foam blocks around the riser, from which submerged weights and top tension are computed.
 
-    The ``factor`` b of the foam blocks and the ``tension_ratio`` e can be interpreted in three ways. The key
-    ``reading`` selects one of the interpretations R1, R2 or R3. They differ in the effective tension at a
-    distance h below the top. In the formulas, w is the weight in air of riser and contents per length, and L
-    the length of the riser. In R1, the tension is (1 - b) w (e L - h), and the blocks carry the fraction b of
-    the weight. In R2, the tension is b w (e L - h), and the blocks carry the fraction 1 - b. In R3, the
-    tension is w (e L - b h), and the blocks also carry the fraction 1 - b. The top tension also carries the
-    weight of a body at the top.
+    The keys ``factor`` (b) and ``tension_ratio`` (e) can be interpreted in three ways. The key ``reading``
+    selects one of the interpretations R1, R2 or R3. Each interpretation gives a different formula for the
+    effective tension at a distance h below the top. In the formulas, w is the weight in air of riser and
+    contents per length, and L the length of the riser. In R1, the tension is (1 - b) w (e L - h), and the
+    blocks carry the fraction b of the weight. In R2, the tension is b w (e L - h), and the blocks carry the
+    fraction 1 - b of the weight. In R3, the tension is w (e L - b h), and the blocks carry the fraction 1 - b
+    of the weight. If there is a body at the top, the top tension also carries its weight.
     """
 
     factor: Annotated[float, Field(ge=0, le=1)]

@@ -29,8 +29,8 @@ class Valve(Strict):
     """Tensioner valves that change a constant ``top.tension`` after the release of the lower end.
 
     After a disconnect, the top tension decreases smoothly to ``hold`` times the suspended submerged weight.
-    The key ``failed`` is the fraction of the tension that remains because the valves of some tensioners do
-    not move.
+    The key ``failed`` is the fraction of the tension that does not decrease, because the valves of some
+    tensioners do not move.
     """
 
     hold: Annotated[float, Field(gt=0.0)]
@@ -48,11 +48,11 @@ class Isolation(Strict):
 class RecoilValve(Strict):
     """A recoil valve in the oil between each cylinder and its gas, which closes after a disconnect.
 
-    The ``opening`` is the area of the open valve. The open valve throttles the oil even before the
-    disconnect. The ``discharge`` is the discharge coefficient. At the time ``delay`` after the disconnect,
-    the valve starts to close. Within the time ``over``, it closes smoothly to the fraction ``residual`` of
-    its opening. The valves of ``failed`` cylinders, counted from 0, stay open. By default, ``delay`` is 0 s.
-    Without ``isolation``, no gas bottles are shut off.
+    The key ``opening`` is the area of the open valve. The open valve throttles the oil even before the
+    disconnect. The key ``discharge`` is the discharge coefficient. At the time ``delay`` after the
+    disconnect, by default 0 s, the valve starts to close. Within the time ``over``, it closes smoothly to the
+    fraction ``residual`` of its opening. The key ``failed`` lists the cylinders (numbered from 0) whose
+    valves stay open. Without ``isolation``, no gas bottles are shut off.
     """
 
     oil_density: Annotated[u.Density, POSITIVE]
@@ -68,8 +68,8 @@ class RecoilValve(Strict):
 class Drain(Strict):
     """Contents that drain after a disconnect, as one column between the air above and the sea below.
 
-    The ``friction`` is the Darcy friction factor of the riser wall. The ``losses`` are the pressure loss at
-    the ends of the column in velocity heads, by default zero.
+    The key ``friction`` is the Darcy friction factor of the riser wall. The key ``losses``, by default zero,
+    is the pressure loss at the ends of the column, divided by the velocity head.
     """
 
     friction: Annotated[float, NOT_NEGATIVE]
@@ -85,14 +85,15 @@ class Stack(Strict):
 class Disconnect(Strict):
     """Release of the riser's lower end, with the body at this end, from the wellhead during the run.
 
-    With ``phase``, the disconnect is delayed until the platform's heave has this phase. The phase is 0 when
-    the heave rises through its mean, and 90 deg at its maximum. With this key, the heave must be a single
-    harmonic. The key ``over`` is the time over which the force of the connector decreases to zero. By
-    default, the disconnect is sudden. A sudden disconnect sends steep fronts of tension waves along an
-    undamped riser. A constant top tension remains unchanged after the disconnect, unless ``valve`` is given.
-    The tensioners act as before the disconnect, unless ``recoil_valve`` is given. By default, the contents
-    stay in the riser. With ``drain``, they flow out. Without ``stack``, the LMRP does not re-contact the
-    blow-out preventer (BOP) stack but can move through it, with a warning.
+    The key ``at`` is the time of the disconnect. With the key ``phase``, the disconnect is delayed until the
+    platform's heave has this phase. The phase is 0 when the heave rises through its mean, and 90 deg at its
+    maximum. With ``phase``, the heave must be a single harmonic. The key ``over`` is the time over which the
+    force of the connector decreases to zero. By default, the disconnect is sudden. A sudden disconnect sends
+    steep fronts of tension waves along an undamped riser. A constant top tension remains unchanged after the
+    disconnect, unless ``valve`` is given. The tensioners act as before the disconnect, unless
+    ``recoil_valve`` is given. By default, the contents stay in the riser. With ``drain``, the contents flow
+    out. Without ``stack``, the lower marine riser package (LMRP) can move through the blow-out preventer
+    (BOP) stack without contact; a warning then appears.
     """
 
     at: Annotated[u.Time, POSITIVE]

@@ -15,7 +15,7 @@ from riserstudy.scene.tensioners import Tensioners
 
 
 class Areas(Strict):
-    """Drag areas C_D A of a body.
+    """Drag areas of a body: drag coefficient times area.
 
     A body without the key ``horizontal`` has no horizontal drag, and a body without the key ``vertical`` has
     no vertical drag.
@@ -40,17 +40,19 @@ class Body(Strict):
     """A concentrated mass, such as a lower marine riser package (LMRP) or a tension ring.
 
     Give the submerged weight of the body, or give its displaced volume or the density of its material. From
-    volume or density, the engine computes the submerged weight with the mass and gravity. A body at or above
-    the water surface then has its weight in air. To compare the body with the water surface, the engine uses
-    the elevation of the end of the unstretched riser. Weight, drag and added mass are zero if they are not
-    given. In waves, the acceleration of the water causes a force on the displaced volume and on the added
-    mass. If the displaced volume is not given, the engine computes it from mass and ``submerged_weight``.
-    Without ``centre_below``, the body is a point at the riser's end. The key ``centre_below`` is the distance
-    from the riser's lower end down to the centre of the body. With this key, the body turns rigidly with the
-    riser's lower end. The ``rotary_inertia``, by default zero, is the moment of inertia about axes through
-    the body's centre that are perpendicular to the riser. With ``centre_below``, the arclengths in results
-    start below the riser, at the body's centre of percussion. The arclengths of ``stations`` in
-    ``analysis.output`` still start at the riser's lower end.
+    the volume or the density, the engine computes the submerged weight with the mass and gravity. If the body
+    is at or above the water surface, the computed weight is the weight in air. For this comparison with the
+    water surface, the body has the elevation of the riser's end, with the riser unstretched. Weight, drag and
+    added mass are zero if they are not given. In waves, the accelerating water exerts a force on the body, in
+    proportion to the sum of the mass of displaced water and the added mass. If the displaced volume is not
+    given, the engine computes it from mass and ``submerged_weight``. Without ``centre_below``, the body is a
+    point at the riser's end. The key ``centre_below`` is the distance from the riser's lower end down to the
+    centre of the body. With this key, the body turns rigidly with the riser's lower end. The key
+    ``rotary_inertia``, by default zero, is the moment of inertia about axes through the body's centre that
+    are perpendicular to the riser. The engine then represents the body by two point masses, at the riser's
+    lower end and, below the riser, at the body's centre of percussion. Arclengths in results start at this
+    centre of percussion. The arclengths of ``stations`` in ``analysis.output`` still start at the riser's
+    lower end.
     """
 
     name: str
@@ -130,7 +132,8 @@ Rotation = Literal["free", "fixed"] | FlexJoint
 class Bottom(Strict):
     """Lower end of the riser: held at the wellhead, free, or the lower end of a conductor (``foot``).
 
-    The lower end of a conductor cannot move vertically; the soil resists the lateral motion of the conductor.
+    A conductor is the pipe in the soil below the wellhead. Its lower end cannot move vertically; the soil
+    resists its lateral motion.
     """
 
     hold: Literal["wellhead", "free", "foot"]
@@ -154,10 +157,10 @@ class Bottom(Strict):
 class JointStop(Strict):
     """Stops of a telescopic joint: its largest extension and compression, and the stiffness of the stops.
 
-    Extension and compression are measured like the stroke of the joint. The ``stroke`` is the largest
-    extension. The ``collapse`` is the largest compression, at which the barrels meet and push. Without the
-    key ``stroke``, the joint has no stop in extension; without ``collapse``, it has no stop in compression.
-    Both stops are elastic, without energy loss.
+    Extension and compression are measured from the same position as the stroke of the joint. The key
+    ``stroke`` is the largest extension. The key ``collapse`` is the largest compression, at which the two
+    barrels touch and push against each other. Without the key ``stroke``, the joint has no stop in extension;
+    without the key ``collapse``, it has no stop in compression. Both stops are elastic, without energy loss.
     """
 
     stroke: Annotated[u.Length, POSITIVE] | None = None
@@ -176,16 +179,17 @@ class JointStop(Strict):
 
 
 class TelescopicJoint(Strict):
-    """Telescopic joint above the tension ring: it slides without force, and carries shear and bending.
+    """Telescopic joint above the tension ring: it slides without resistance, and carries shear and bending.
 
-    Water exerts no forces on the telescopic joint. A warning appears if more than half of the joint is below
-    the water surface. The ``length`` is the distance from the tension ring to the upper end of the joint with
-    the platform at rest. The outer and the inner barrel bend together, as one beam. The key ``tension`` is an
-    additional constant pull of tensioners along the joint. Without the key ``stop``, the joint has no end
-    stops. A warning then appears if the joint becomes shorter than half of ``length`` or longer than twice
-    ``length``, which no real joint can. Include the mass of the outer barrel in ``top.body`` at the tension
-    ring; the inner barrel moves with the platform. The stops of the joint (``stop``) and the stops of the
-    tensioners (``tensioners.stroke``) are separate: a rig can have both.
+    The engine neglects forces of the water on the telescopic joint. A warning appears if more than half of
+    the joint is below the water surface. The key ``length`` is the distance from the tension ring to the
+    upper end of the joint with the platform at rest. The outer and the inner barrel bend together, as one
+    beam. The key ``tension`` is an additional constant pull of tensioners along the joint. Without the key
+    ``stop``, the joint has no end stops. A warning then appears if the joint becomes shorter than half of
+    ``length`` or longer than twice ``length``, because no real joint can do this. Include the mass of the
+    outer barrel in ``top.body`` at the tension ring; the inner barrel moves with the platform. The stops of
+    the joint (``stop``) and the stops of the tensioners (``tensioners.stroke``) are separate, and a scene can
+    have both.
 
     By default, the stroke of the joint and the positions of its stops are measured from ``length``. With
     ``mid_stroke: riser in equilibrium``, the stroke is zero when the tensioners carry the vertical riser in
@@ -217,7 +221,7 @@ class TelescopicJoint(Strict):
 
 
 class TensionLoss(Strict):
-    """Loss of a share of ``top.tension`` from the time ``at``, smoothly over the time ``over``, or suddenly.
+    """Loss of a share of ``top.tension`` at the time ``at``: suddenly, or smoothly over the time ``over``.
 
     A loss of ``top.tension`` does not change the forces of ``tensioners`` and of a telescopic joint.
     """
@@ -234,20 +238,21 @@ class Top(Strict):
     free.
 
     With ``x: vessel``, the top follows the computed motion of a vessel along x, and along y if the vessel has
-    the key ``sway``. If the scene also has a ``platform``, the engine adds its horizontal first-order
-    (wave-frequency) motions to the motion of the vessel. With ``z: platform``, the top also follows the
-    vertical first-order motions. At rest, the centre of the tensioner deck is vertically above the riser's
-    top, so the key ``offset`` moves both.
+    the key ``sway``. If the scene also has the key ``platform``, the engine adds the horizontal first-order
+    (wave-frequency) motions of the platform to the motion of the vessel. With ``z: platform``, the top also
+    follows the vertical first-order motions. At rest, the centre of the tensioner deck is vertically above
+    the riser's top, so the key ``offset`` moves both.
 
-    Without ``offset``, the top is vertically above the riser's bottom. Without ``elevation``, it has the
-    height of the static equilibrium. Tension, tension loss, force, tensioners and body are absent if they are
-    not given. With ``held_at_tension``, the engine computes the height at which the top is held. At this
-    height, the vertical component of the pull on the static riser equals the given force. If there is a body
-    at the top, the pull just below the body equals this force. For this computation, the platform is in its
-    position in calm water, and the current has its full speed. With ``x: platform``, or with ``x: vessel``
-    and a ``platform`` in the scene, a flex joint or clamp at the top rotates with the platform. With a
-    telescopic joint, the top is the upper end of the joint. Then ``tension``, ``tensioners``,
-    ``lateral_force`` and ``body`` are at the tension ring, below the joint.
+    Without ``offset``, the top is vertically above the riser's bottom. Without ``elevation``, the engine
+    computes the height of the top in static equilibrium. Tension, tension loss, lateral force, tensioners and
+    body are absent if they are not given. With ``held_at_tension``, the engine computes the height at which
+    the top is held. At this height, the vertical component of the pull on the static riser equals the given
+    force. If there is a body at the top, the pull just below the body equals the given force. For this
+    computation, the platform is in its position in calm water, and the current has its full speed. With ``x:
+    platform``, or with ``x: vessel`` and a ``platform`` in the scene, a flex joint or clamp (``rotation:
+    fixed``) at the top rotates with the platform. With a telescopic joint, the top is the upper end of the
+    joint. The parts ``tension``, ``tensioners``, ``lateral_force`` and ``body`` are then at the tension ring,
+    below the joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

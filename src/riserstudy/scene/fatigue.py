@@ -39,16 +39,16 @@ class SNCurve(NamedTuple):
 
 
 class Slope(Strict):
-    """A slope of an S-N curve: log10 of cycles is log_a minus exponent times log10 of the range in MPa."""
+    """A slope of an S-N curve: log10(cycles to failure) = log_a - exponent log10(stress range in MPa)."""
 
     exponent: Annotated[float, POSITIVE]
     log_a: Annotated[float, Field(gt=0, lt=40)]
 
 
 class OwnCurve(Strict):
-    """Your own S-N curve with one or two slopes, of which the one with more cycles to failure applies.
+    """Your own S-N curve with one or two slopes; the slope with more cycles to failure applies.
 
-    Above the reference thickness, the stress range is multiplied by (thickness /
+    For a detail thicker than ``reference_thickness``, the engine multiplies the stress range by (thickness /
     reference_thickness)^thickness_exponent.
     """
 
@@ -82,8 +82,8 @@ class StandardCurve(Strict):
     """An S-N curve of DNV-RP-C203, selected by its class (B1 to W3) and its environment.
 
     The file ``scene/sn_curves.yaml`` of the package contains the numbers and their source. Editions of
-    DNV-RP-C203 differ, so compare the curves with the edition that you must use. If they differ from your
-    edition, give your own curve (``OwnCurve``).
+    DNV-RP-C203 differ, so compare the curves with the edition that you must use. If the curves differ from
+    your edition, give your own curve (``OwnCurve``).
     """
 
     detail_class: str
@@ -114,14 +114,14 @@ class Detail(Strict):
     """A detail whose fatigue damage is computed: welds of the wall, a connector, a weld of the wellhead.
 
     The key ``at`` gives the sections of the riser with this detail, named as in ``limits``. By default, all
-    sections have the detail. The key ``face`` selects the inner or outer face of the wall. The stress by wall
-    tension and bending is computed at this face. For a detail at one end of a section, give
-    ``stress_per_moment`` instead of ``face``. This is the stress in the detail divided by the bending moment
-    at this end. For example, ``stress_per_moment: 0.02 MPa/kN/m`` means 0.02 MPa for each kN m. With
-    ``stress_per_moment``, the stress by tension is neglected. The engine multiplies the computed nominal
-    stress by ``stress_concentration``. The default thickness is the wall thickness of the section; with
-    ``stress_per_moment``, you must give the thickness. The factored damage is the damage times
-    ``safety_factor``.
+    sections have the detail. The key ``face`` selects the inner or outer face of the wall. The engine
+    computes the stress due to wall tension and bending at this face. For a detail at one end of a section,
+    give ``stress_per_moment`` instead of ``face``. The key ``stress_per_moment`` is the stress in the detail
+    divided by the bending moment at this end. For example, ``stress_per_moment: 0.02 MPa/kN/m`` means 0.02
+    MPa for each kN m. With ``stress_per_moment``, the stress due to tension is neglected. The engine
+    multiplies the computed nominal stress by ``stress_concentration``. The default of ``thickness`` is the
+    wall thickness of the section; with ``stress_per_moment``, you must give ``thickness``. The factored
+    damage is the damage times ``safety_factor``.
     """
 
     name: Annotated[str, Field(min_length=1)]
@@ -156,8 +156,9 @@ class Fatigue(Strict):
     """Fatigue damage of details, from stress cycles (rainflow counting), S-N curves and Miner's sum.
 
     The key ``angles`` is the number of places around the wall for which the engine computes damage. The first
-    place is on the side of the positive x axis. Between two places, the damage can be larger than at both
-    places, by a factor of at most cos(pi / angles)^-m. The number m is the exponent of the S-N curve.
+    place is on the side of the positive x axis. Between two neighbouring places, the damage can be larger
+    than at these two places, by a factor of at most cos(pi / angles)^-m. The number m is the exponent of the
+    S-N curve.
     """
 
     angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]

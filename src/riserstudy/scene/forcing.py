@@ -58,8 +58,8 @@ class Tilt(Harmonic):
 class Cruise(Strict):
     """Cruise of the platform at a constant speed, by default along x.
 
-    Over the time ``ramp``, the speed increases linearly from zero. Without ``ramp``, the platform has its
-    full speed from the start.
+    Over the time ``ramp``, the speed increases linearly from zero to ``speed``. Without ``ramp``, the
+    platform has its full speed from the start.
     """
 
     speed: u.Speed
@@ -102,10 +102,10 @@ P = TypeVar("P", bound=Instant)
 class TimeSeries(Strict, Generic[P]):
     """A platform motion as a cubic spline through points, listed here or in a CSV table ``{file: name.csv}``.
 
-    Before the first and after the last point of a time series, the platform motion keeps the value of this
-    point. Beside an interval that is much longer than its neighbours, a spline can exceed all points; the
-    engine refuses an excess of more than half of their range. If all values of a sway, roll or yaw are zero,
-    no simulation in three dimensions is required.
+    Before the first point, the platform motion has the value of this point; after the last point, it keeps
+    the last value. If one interval between points is much longer than its neighbours, the spline can exceed
+    the values of all points. The engine refuses a spline that exceeds these values by more than half of their
+    range. If all values of a sway, roll or yaw are zero, no simulation in three dimensions is required.
     """
 
     points: Annotated[list[P], Field(min_length=4)]
@@ -133,9 +133,9 @@ class Position(Strict):
 class Centre(Strict):
     """Position of the platform's centre of rotation with the platform at rest.
 
-    Without x and y, the centre is vertically above the well, even if the riser's top has an `offset`. If the
-    platform has an offset, x is therefore usually equal to this offset. A `position` of the platform moves
-    the centre, too.
+    Without x and y, the centre is vertically above the well, even if the riser's top has an ``offset``. If
+    the platform has an offset, x is therefore usually equal to this offset. The key ``position`` of the
+    platform also moves the centre.
     """
 
     x: u.Length | None = None
@@ -225,8 +225,8 @@ class Point(Strict):
 
     Two points at the same elevation or depth define a jump of the speed. Points given by elevation are listed
     upwards: the first of the two points gives the speed just below the jump. Points given by depth are listed
-    downwards: the first point gives the speed just above the jump. A point without ``direction`` has the
-    heading of the current.
+    downwards: the first of the two points gives the speed just above the jump. Without ``direction``, a point
+    has the heading of the current.
     """
 
     elevation: u.Length | None = None
@@ -251,12 +251,13 @@ def _within_a_turn(name: str, angle: float | None) -> None:
 
 
 class Shape(Strict):
-    """A current profile by a formula, from the seabed to the surface, relative to ``surface_speed``.
+    """A current profile by a formula, from the seabed to the surface, with the speed ``surface_speed`` there.
 
-    With ``shape: power``, the relative speed is (height above the seabed / water depth)^power. With ``shape:
-    exponential``, the relative speed is exp(-depth below the surface / scale). With ``shape: layer``, the
-    speed is uniform down to the depth ``layer`` below the surface, then decreases linearly to zero at the
-    depth ``vanishes``. By default, seabed and surface have the elevations that ``water`` gives.
+    The relative speed is the speed divided by ``surface_speed``. With ``shape: power``, the relative speed is
+    (height above the seabed / water depth)^power. With ``shape: exponential``, the relative speed is
+    exp(-depth below the surface / scale). With ``shape: layer``, the speed is uniform down to the depth
+    ``layer`` below the surface, then decreases linearly to zero at the depth ``vanishes``. By default, seabed
+    and surface have the elevations that ``water`` gives.
     """
 
     shape: Literal["uniform", "power", "exponential", "layer"]
@@ -300,9 +301,9 @@ class Current(Strict):
     By default, the current flows along x, and acts from the start of the run without a ramp.
 
     The key ``headings`` states whether headings are directions that the current flows to (``towards``, the
-    default) or comes from (``from``). It also applies to the ``direction`` of points of the profile. Give a
-    ``direction`` at all points of the profile, or at no point. If the direction varies, the engine
-    interpolates the x and y components of the velocity linearly between points. The key ``beyond`` is
+    default) or comes from (``from``). The key ``headings`` also applies to the ``direction`` of points of the
+    profile. Give a ``direction`` at all points of the profile, or at no point. If the direction varies, the
+    engine interpolates the x and y components of the velocity linearly between points. The key ``beyond`` is
     required if the profile does not cover the whole riser. Outside the elevations of the profile, its end
     values apply (``hold``), or the water is still (``zero``).
     """

@@ -15,10 +15,9 @@ from riserstudy.scene.rules import check_rules
 
 
 class Scene(Parts):
-    """The root of a scene file: a riser, its supports and its loads.
+    """The top level of a scene file: a riser, its supports and its loads.
 
-    If a scene has the key ``paper``, values without a stated origin are *published* values. Otherwise, these
-    values are *given* values.
+    With the key ``paper``, the origin of values without a stated origin is *published* instead of *given*.
     """
 
     @model_validator(mode="after")

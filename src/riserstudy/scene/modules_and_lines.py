@@ -22,8 +22,8 @@ class Modules(Strict):
     Mass and lift are values for one joint of the section. In a section without ``joints``, they are values
     for the whole section.
 
-    The ``lift`` is the net lift of the modules in water, after subtraction of their own weight. For modules
-    above the water, the engine computes the weight as mass times gravity.
+    The key ``lift`` is the net lift of the modules in water, after subtraction of their own weight. For
+    modules above the water, the engine computes the weight as mass times gravity.
     """
 
     mass: Annotated[u.Mass, POSITIVE]
@@ -31,14 +31,15 @@ class Modules(Strict):
 
 
 class Line(Strict):
-    """Choke, kill, booster or hydraulic lines along the pipe: ``count`` equal lines, or one by default.
+    """One or several equal small pipes along the riser pipe, such as choke, kill, booster or hydraulic lines.
 
-    Give the mass, or ``wall_density``, from which the engine computes the mass. The ``contents`` are the
-    density of the fluid inside, which moves with the line; without ``contents`` the line is empty. Lines with
-    a ``young_modulus`` bend together with the pipe, each about its own axis. With ``tension: shared``, pipe
-    and lines share the tension by their stiffnesses. With ``tension: sliding``, the ends of the lines slide
-    along the pipe, and the lines carry no tension. In reality, the pressure in a line changes the tension of
-    the pipe; the engine neglects this change.
+    The key ``count`` is the number of these lines, by default 1. Give the mass of one line, or
+    ``wall_density``, from which the engine computes the mass. The key ``contents`` is the density of the
+    fluid inside, which moves with the line; without this key, the line is empty. Lines with a
+    ``young_modulus`` bend together with the pipe, each about its own axis. With ``tension: shared``, pipe and
+    lines share the tension in proportion to their axial stiffnesses. With ``tension: sliding``, the ends of
+    the lines slide along the pipe, and the lines carry no tension. In reality, the pressure in a line changes
+    the tension of the pipe; the engine neglects this change.
     """
 
     name: str

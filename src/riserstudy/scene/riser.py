@@ -21,7 +21,7 @@ RIGID = 1e3  # ratio of the bending stiffness of a rigid body to that of the sec
 class CoefficientAt(Strict):
     """A drag coefficient at an elevation.
 
-    In a table of drag coefficients, two entries at the same elevation define a jump.
+    In a table of drag coefficients, two entries at the same elevation define a jump of the coefficient.
     """
 
     elevation: u.Length
@@ -29,12 +29,12 @@ class CoefficientAt(Strict):
 
 
 class Drag(Strict):
-    """Morison drag of the riser, across the pipe by default.
+    """Drag of the riser by Morison's equation, by default across the pipe.
 
     With ``direction: horizontal``, only horizontal velocities cause drag, and the drag acts in x and y only.
     The drag coefficient is one number, or a table over elevation with linear interpolation. The engine
     evaluates the table at the present elevation of the moving, stretched pipe. Above and below the elevations
-    of the table, the coefficient has the value at the nearest end.
+    of the table, the coefficient has the value at the nearest end of the table.
     """
 
     coefficient: Coefficient | Annotated[list[CoefficientAt], Field(min_length=2)]
@@ -70,14 +70,21 @@ class Drag(Strict):
 
 
 class TangentialDrag(Strict):
-    """Drag along the pipe: C_t rho pi D / 2 times the squared relative velocity along the pipe."""
+    """Drag along the pipe: C_t rho pi D / 2 times the squared relative velocity along the pipe.
+
+    In this formula, C_t is the key ``coefficient``, rho the density of the water, and D the key ``diameter``.
+    """
 
     coefficient: Coefficient
     diameter: Annotated[u.Length, POSITIVE]
 
 
 class AddedMass(Strict):
-    """Added mass, C_a rho pi D^2 / 4: across the pipe by default; with ``horizontal``, in x and y only."""
+    """Added mass per length of riser, C_a rho pi D^2 / 4, by default for motion across the pipe.
+
+    In this formula, C_a is the key ``coefficient``, rho the density of the water, and D the key ``diameter``.
+    With ``direction: horizontal``, the added mass acts in x and y only.
+    """
 
     coefficient: Coefficient
     diameter: Annotated[u.Length, POSITIVE]
@@ -98,12 +105,12 @@ def _must_rise(frequencies: list[float]) -> None:
 class InLineExcitation(Strict):
     """Varying drag due to vortices, which synchronises with the velocity of the riser along the flow.
 
-    The amplitude of the varying drag per length is C_x rho D / 2 times the squared flow speed. The
-    ``coefficient`` is C_x. Its value is not known; values of 0.1 to 1 are plausible assumptions. The key
-    ``frequencies`` lists three frequencies of the varying drag, as multiples of flow speed divided by
-    diameter. Their order is the same as for vibration across the flow. The frequencies along the flow are
-    about twice the frequencies across the flow. The values 0.22, 0.36 and 0.52 are assumptions, each with a
-    range of ±25 %.
+    The amplitude of the varying drag per length is C_x rho D / 2 times the squared flow speed. Here rho is
+    the density of the water, and D the diameter. The key ``coefficient`` is C_x. The value of C_x is not
+    known; values of 0.1 to 1 are plausible assumptions. The key ``frequencies`` lists three frequencies of
+    the varying drag, as multiples of flow speed divided by diameter. The first frequency is the lowest, and
+    the third is the highest. The frequencies along the flow are about twice the frequencies across the flow.
+    The multiples 0.22, 0.36 and 0.52 are assumptions, each with a range of ±25 %.
     """
 
     coefficient: Annotated[float, POSITIVE]
@@ -118,19 +125,22 @@ class InLineExcitation(Strict):
 class VortexInducedVibration(Strict):
     """Vortex-induced vibration across the flow, by the synchronisation model of Thorsen and others (2014).
 
-    A lift force of the vortices acts across the flow relative to the pipe. The amplitude of this force per
-    length is C_v rho D / 2 times the squared flow speed. Its phase synchronises with the velocity of the
-    riser. A section with ``viv`` must also have drag across the pipe, because drag limits the amplitude. The
-    engine simulates a scene with ``viv`` in three dimensions.
+    The vortices exert a lift force on the pipe, across the flow. Here, the flow is the velocity of the water
+    relative to the pipe. The amplitude of the lift force per length is C_v rho D / 2 times the squared flow
+    speed, with the density rho of the water and the diameter D. The phase of the lift force synchronises with
+    the velocity of the riser. A section with ``viv`` must also have drag across the pipe, because drag limits
+    the amplitude of the vibration. The engine simulates a scene with ``viv`` in three dimensions.
 
-    The ``coefficient`` is C_v, with a published value of 1.2. The key ``frequencies`` lists three frequencies
-    of the lift force, as multiples of flow speed divided by diameter. The first frequency is the lowest, and
-    the third is the highest. At the second frequency, lift force and velocity are in phase. The published
-    values are 0.11, 0.18 and 0.26. The model contains mean squares of the motion, taken over the time in
-    which the water flows ``memory`` diameters, for example 20. The key ``seed`` determines the initial phases
-    of the lift force, which vary smoothly along the riser. The key ``ramp`` is the time over which the lift
-    increases, by default ten shedding periods in the fastest current. The key ``in_line`` adds an excitation
-    along the flow; without it, vortices cause no excitation along the flow.
+    The key ``coefficient`` is C_v; its published value is 1.2. The key ``frequencies`` lists three
+    frequencies of the lift force, as multiples of flow speed divided by diameter. The first frequency is the
+    lowest, and the third is the highest. At the second frequency, the lift force and the velocity of the
+    riser are in phase. The published values of the three frequencies are 0.11, 0.18 and 0.26. The engine
+    computes running mean squares of the motion, over the time in which the water flows a distance of
+    ``memory`` diameters, for example 20. The key ``seed`` determines the initial phases of the lift force,
+    which vary smoothly along the riser. The key ``ramp`` is the time over which the lift force increases from
+    zero to its full amplitude. The default of ``ramp`` is ten periods of vortex shedding in the fastest
+    current. The key ``in_line`` adds an excitation along the flow; without this key, vortices cause no
+    excitation along the flow.
     """
 
     model: Literal["synchronisation"]
@@ -156,13 +166,14 @@ class VortexInducedVibration(Strict):
 class Contents(Strict):
     """Fluid inside the riser. The engine adds the weight of the riser's contents to ``submerged_weight``.
 
-    The contents move with the pipe across the pipe axis, but not along this axis.
+    The contents follow a motion of the pipe across its axis, but not a motion along its axis.
 
-    If the bore is open to the sea, give sea water as contents, or include its weight in ``submerged_weight``.
-    The contents reach up to ``level``, by default to the upper end of the highest section with contents. The
-    gauge pressure of the contents on the wall is the static pressure of the column of contents up to
-    ``level``. If a section without contents lies between sections with contents, the pressure below it is
-    unknown. The engine then does not compute the von Mises stress there.
+    If the inside of the riser is open to the sea, give sea water as contents, or include the weight of this
+    water in ``submerged_weight``. The contents reach up to the elevation ``level``, by default to the upper
+    end of the highest section with contents. The gauge pressure of the contents on the wall is the static
+    pressure of the column of contents up to ``level``. If a section without contents lies between sections
+    with contents, the pressure in the sections below it is unknown. In these lower sections, the engine then
+    does not compute the von Mises stress.
     """
 
     density: Annotated[u.Density, POSITIVE]
@@ -179,8 +190,9 @@ class Joints(Strict):
 class StructuralDamping(DampingAtPeriod):
     """Damping of the pipe, proportional to its stiffness.
 
-    The damping ``ratio`` is the ratio of damping to critical damping for a vibration with the period
-    ``at_period``. Flex joints are not damped: their moment is their stiffness times their angle.
+    The key ``ratio`` is the ratio of damping to critical damping for a vibration with the period
+    ``at_period``. Flex joints are not damped: the moment of a flex joint is only its stiffness times its
+    angle.
     """
 
 
@@ -202,37 +214,38 @@ class Guide(Strict):
 class Section(Strict):
     """A length of riser with uniform properties. The sections of a riser are listed from the bottom up.
 
-    Give the axial and the bending stiffness, or Young's modulus and the diameters, from which the engine
-    computes both stiffnesses. A section without bending stiffness is a string: it carries no bending moment.
-    Give the mass, or ``wall_density``, from which the engine computes the mass; without both, the mass is
-    zero. If at least one section has a shear modulus, the torsion of the riser resists the yaw of a vessel.
-    Sections without a shear modulus are then rigid in torsion. Drag, added mass, contents and all other parts
-    that are not given are zero or absent.
+    Give the axial and the bending stiffness, or give Young's modulus and the diameters. From Young's modulus
+    and the diameters, the engine computes both stiffnesses. A section without bending stiffness is a string:
+    it carries no bending moment. Give the mass, or ``wall_density``, from which the engine computes the mass.
+    If neither key is given, the mass is zero. If at least one section has a shear modulus, the torsion of the
+    riser resists the yaw of a vessel. Sections without a shear modulus are then rigid in torsion. All other
+    properties that are not given, such as drag, added mass and contents, are zero or absent.
 
-    The ``submerged_weight`` is the weight of the pipe with everything fixed to it, minus the weight of the
-    water that the *outer* surface displaces. The weight of ``contents`` is not included. An example is a bare
-    steel pipe with an outer diameter of 21 in, an inner diameter of 19 in and a mass of 318.2 kg/m. In sea
-    water of 1025 kg/m^3, with a gravity of 9.81 m/s^2, the submerged weight of this pipe is 874.7 N/m. If the
-    pipe is full of mud of 1200 kg/m^3, ``contents`` add 2153.4 N/m to this weight. There are two ways to
-    describe this pipe full of sea water. Give either a ``submerged_weight`` of 874.7 N/m with ``contents`` of
-    1025 kg/m^3, or 2714.1 N/m, which includes 1839.4 N/m of water inside, without ``contents``. If a section
-    has no ``submerged_weight``, the engine computes it from mass, diameters, gravity and water. Such a
-    section must therefore have an inner diameter and ``contents``; otherwise the engine refuses the scene.
-    For a section that is wholly above the water, ``submerged_weight`` is the weight in air. If a section
-    crosses the water surface, the engine divides it there in two cases: it has no ``submerged_weight``, or it
-    has modules or lines. In results, the part above the water is named ``<name>, above water``. For this
-    part, the engine adds the weight of the water displaced by the outer diameter to a given
+    The key ``submerged_weight`` is the weight of the pipe with everything fixed to it, minus the weight of
+    the water that the *outer* surface displaces. It does not include the weight of ``contents``. An example
+    is a bare steel pipe with an outer diameter of 21 in, an inner diameter of 19 in and a mass of 318.2 kg/m.
+    In sea water of 1025 kg/m^3, with a gravity of 9.81 m/s^2, the submerged weight of this pipe is 874.7 N/m.
+    If the pipe is full of mud of 1200 kg/m^3, the key ``contents`` adds 2153.4 N/m to this weight. There are
+    two ways to describe this pipe if it is full of sea water. The first way is a ``submerged_weight`` of
+    874.7 N/m with ``contents`` of 1025 kg/m^3. The second way is a ``submerged_weight`` of 2714.1 N/m without
+    ``contents``; it includes 1839.4 N/m of water inside the pipe. If a section has no ``submerged_weight``,
+    the engine computes it from the mass, the diameters, gravity and the density of the water. Such a section
+    must therefore have an inner diameter and ``contents``; otherwise the engine refuses the scene. For a
+    section that is wholly above the water, ``submerged_weight`` is the weight in air. If a section crosses
+    the water surface, and has no ``submerged_weight``, or has ``modules`` or ``lines``, the engine divides it
+    at the surface. In results, the part above the water is named ``<name>, above water``. This part displaces
+    no water; the engine therefore adds the weight of the displaced water (by the outer diameter) to a given
     ``submerged_weight``.
 
-    The key ``buoyancy_lift`` is the net lift of buoyancy modules in water. It has no effect on the
+    The key ``buoyancy_lift`` is the net lift of buoyancy modules in water. This key has no effect on the
     simulation, because ``submerged_weight`` already includes the lift. Only the minimum tension formula of
     the command ``riserstudy tension`` requires ``buoyancy_lift``, because the formula treats steel and
     modules separately. Without ``buoyancy_lift``, the command does not evaluate this formula.
 
     If a section has ``modules`` or ``lines``, its given mass, weight and stiffness refer to the pipe alone.
     The engine adds the mass, weight and stiffness of modules and lines. If a scene has ``modules``, the
-    engine sets ``buoyancy_lift`` to their lift, and to zero in sections without modules. The diameters in
-    ``drag`` and ``added_mass`` apply to pipe, modules and lines together.
+    engine computes ``buoyancy_lift`` from the lift of the modules, and sets it to zero in sections without
+    modules. The diameters in ``drag`` and ``added_mass`` apply to pipe, modules and lines together.
     """
 
     name: str

@@ -25,7 +25,7 @@ class Wave(Strict):
 
 
 class Swell(Strict):
-    """Regular waves with an amplitude, or with a height of twice the amplitude.
+    """Regular waves, given by their amplitude, or by their height (twice the amplitude).
 
     The default phase of a regular wave is 0.
     """
@@ -53,19 +53,23 @@ class Swell(Strict):
 
 
 class RegularWave(Swell, Wave):
-    """A regular Airy wave with an amplitude, or with a height of twice the amplitude.
+    """A regular Airy wave, given by its amplitude, or by its height (twice the amplitude).
 
     The surface elevation is amplitude cos(k x - 2 pi t / period + phase). By default, the phase is 0, and the
-    wave travels along x. The wave acts from t = 0 without a ramp, on a riser in static equilibrium. The key
-    ``above_mean_level`` defines the water velocities above the mean level: ``none`` (zero), ``constant`` (the
-    velocity at the mean level), or ``stretched`` (Wheeler's stretched profile). A wave that is higher than
-    0.142 L tanh(k d) would break, and causes a warning. Here L is the length of the wave, k its wave number
-    and d the depth of the water.
+    wave travels along x. By default, the wave acts from t = 0 without a ramp, on a riser in static
+    equilibrium. The key ``above_mean_level`` defines the water velocities above the mean level: ``none``
+    (zero), ``constant`` (the velocity at the mean level), or ``stretched`` (Wheeler's stretched profile). A
+    wave that is higher than 0.142 L tanh(k d) would break, and causes a warning. Here L is the length of the
+    wave, k its wave number and d the depth of the water.
     """
 
 
 class Storm(Strict):
-    """An irregular sea by a JONSWAP spectrum: components of equal energy, with random phases by ``seed``."""
+    """An irregular sea with a JONSWAP spectrum: a sum of regular waves of equal energy.
+
+    The key ``components`` is the number of these regular waves. The key ``seed`` selects one set of random
+    phases.
+    """
 
     significant_height: Annotated[u.Length, POSITIVE]
     peak_period: Annotated[u.Time, POSITIVE]
@@ -80,10 +84,11 @@ class Storm(Strict):
 
 
 class IrregularSea(Storm, Wave):
-    """An irregular sea by a JONSWAP spectrum: components of equal energy, with random phases by ``seed``.
+    """An irregular sea with a JONSWAP spectrum: a sum of regular waves of equal energy.
 
-    By default, the sea travels along x. It acts from t = 0 without a ramp, on a riser in static equilibrium.
-    The key ``above_mean_level`` has the same meaning as for a regular wave.
+    The key ``components`` is the number of these regular waves. The key ``seed`` selects one set of random
+    phases. By default, the waves travel along x, and act from t = 0 without a ramp, on a riser in static
+    equilibrium. The key ``above_mean_level`` has the same meaning as for a regular wave.
     """
 
 
@@ -92,11 +97,11 @@ class WindDrift(Strict):
 
     The speed of the drift at the surface is surface_factor W / sqrt(sin latitude), with the wind speed W. At
     the surface, the direction of the drift is 45 degrees from the wind. With increasing depth, the drift
-    turns further away from the wind. At the friction depth, depth_factor W / sqrt(sin latitude), it is
-    opposite to its surface direction, with 1/23 of the surface speed. The key ``component`` selects the part
-    of the drift that acts on the riser: along the wind, across the wind, the magnitude, or both parts. With
-    ``both``, the heading of the current is the heading of the wind. The drift then turns to the right of the
-    wind in the northern ``hemisphere``, and to the left in the southern hemisphere.
+    turns further away from the wind. At the friction depth, depth_factor W / sqrt(sin latitude), the drift is
+    opposite to its direction at the surface, with 1/23 of its speed at the surface. The key ``component``
+    selects the part of the drift that acts on the riser: along the wind, across the wind, the magnitude, or
+    both parts. With ``both``, the heading of the current is the heading of the wind. The drift then turns to
+    the right of the wind in the northern ``hemisphere``, and to the left in the southern hemisphere.
     """
 
     wind_speed: Annotated[u.Speed, POSITIVE]

@@ -18,8 +18,8 @@ from riserstudy.scene.damping import DampingAtPeriod
 class Matlock(Strict):
     """Soft clay under static load, by Matlock's p-y curves.
 
-    The undrained shear strength increases linearly with depth. Matlock's p-y curve (resistance over
-    displacement) is infinitely stiff at zero displacement. Up to a small displacement, a straight line
+    The undrained shear strength increases linearly with depth. Matlock's p-y curve (resistance as a function
+    of displacement) is infinitely stiff at zero displacement. Up to a small displacement, a straight line
     therefore replaces the curve. This line ends at the displacement ``straight_up_to`` times y50, where y50
     is the displacement at half of the ultimate resistance.
     """
@@ -43,8 +43,8 @@ class Sand(Strict):
 
     In the formula, p_u is the ultimate resistance, y the displacement, and k (``initial_modulus``) the
     increase of the soil stiffness with depth. The factor A is 0.9 under cyclic loading. Under static loading,
-    A is 3 - 0.8 X / D with the diameter D of the conductor, and at least 0.9. The ``friction_angle`` is the
-    angle of internal friction.
+    A is 3 - 0.8 X / D with the diameter D of the conductor, and at least 0.9. The key ``friction_angle`` is
+    the angle of internal friction.
     """
 
     friction_angle: Annotated[u.Angle, Field(gt=0, lt=math.radians(50.0))]
@@ -65,9 +65,9 @@ class TabulatedSoil(Strict):
     """p-y curves as a table: rows for several depths, with increasing displacements at each depth.
 
     Between the points of a p-y curve, the resistance is a monotone cubic function that starts at zero. Beyond
-    the last point, the resistance is constant. Between two depths, it is interpolated linearly. The soil
-    spring of a node has the mean resistance over the part of the conductor that the node represents. The
-    table must reach from the mudline to the lower end of the conductor.
+    the last point, the resistance is constant. Between two depths, the resistance is interpolated linearly.
+    The soil spring of a node has the mean resistance over the part of the conductor that the node represents.
+    The table must reach from the mudline to the lower end of the conductor.
     """
 
     table: Annotated[list[ResistanceAt], Field(min_length=1)]
@@ -104,11 +104,11 @@ class TabulatedSoil(Strict):
 class SoilDamping(DampingAtPeriod):
     """Dashpots that represent the hysteresis of the soil, parallel to the soil springs.
 
-    The ``ratio`` is the damping ratio (damping divided by critical damping) at one period of motion. In a
+    The key ``ratio`` is the damping ratio (damping divided by critical damping) at one period of motion. In a
     cycle with the period ``at_period`` and the amplitude ``at_displacement``, a dashpot dissipates 4 pi
     ``ratio`` times the elastic energy of its soil spring. This energy is computed with the secant stiffness
-    of the spring. Choose ``at_period`` close to the period of motion: at longer periods, dashpots dissipate
-    less energy per cycle, but real soil does not.
+    of the spring. Choose ``at_period`` close to the period of motion. At longer periods, a dashpot dissipates
+    less energy per cycle; real soil dissipates the same energy.
     """
 
     at_displacement: Annotated[u.Length, POSITIVE] | None = None
@@ -117,8 +117,8 @@ class SoilDamping(DampingAtPeriod):
 class Soil(Strict):
     """Soil around the lowest sections of the riser, below the flex joint, from the mudline down.
 
-    Below the mudline, water exerts no forces: current, waves, drag and added mass act only above the
-    mudline.
+    The mudline is the surface of the soil. Below it, water exerts no forces: current, waves, drag and added
+    mass act only above the mudline.
     """
 
     mudline: u.Length

@@ -19,9 +19,9 @@ class Chamber(Strict):
     """Gas on one side of a tensioner piston: the area on which it acts, and its state at mid-stroke.
 
     If ``pressure`` is a gauge pressure, the engine converts it to an absolute pressure. The key ``outside``
-    is the external pressure, which acts on ``area`` against the gas. By default, it is the atmospheric
-    pressure if ``pressure`` is a gauge pressure. If ``pressure`` is absolute, ``outside`` is zero by default,
-    because some published tensioner formulas neglect the external pressure.
+    is the external pressure, which acts on ``area`` against the gas. By default, this external pressure is
+    the atmospheric pressure if ``pressure`` is a gauge pressure. If ``pressure`` is absolute, ``outside`` is
+    zero by default, because some published tensioner formulas neglect the external pressure.
     """
 
     area: Annotated[u.Area, POSITIVE]
@@ -56,8 +56,8 @@ class Gas(Chamber):
 class Pistons(Strict):
     """Tensioner pistons with their rods, which move with the tension ring.
 
-    The ``mass`` is the mass of all pistons together (``counted: once``), or of one piston (``counted:
-    each``).
+    With ``counted: once``, the key ``mass`` is the mass of all pistons together. With ``counted: each``, it
+    is the mass of one piston.
     """
 
     mass: Annotated[u.Mass, POSITIVE]
@@ -69,7 +69,7 @@ class TwoChamberGas(Strict):
 
     The gas at high pressure pulls the tension ring up. The low-pressure gas and the weight of the pistons act
     against this pull. The pull of the cylinder is the difference between the force of the high-pressure gas
-    and the opposing forces.
+    and these two opposing forces.
 
     Without ``pistons``, the weight and the mass of the pistons are zero.
     """
@@ -102,8 +102,9 @@ class TableRow(Strict):
 class Linearised(Strict):
     """Straight line that replaces a tensioner's gas law: a tangent, a chord, or a least-squares line.
 
-    A tangent touches the gas law at the extension ``at`` from mid-stroke, by default zero. A chord or a
-    least-squares line is fitted over the stroke range from ``shortest`` to ``longest``.
+    A tangent touches the curve of the gas law at the extension ``at`` from mid-stroke, by default zero. A
+    chord or a least-squares line is fitted to the curve over the stroke range from ``shortest`` to
+    ``longest``.
     """
 
     by: Literal["tangent", "chord", "least squares"]
@@ -189,7 +190,7 @@ def fault_of_numbers(numbers: list[int], count: int) -> tuple[str, str] | None:
 
 
 class Failing(Strict):
-    """Cylinders (numbered from 0) that exert no force after a given time, such as broken lines."""
+    """Cylinders (numbered from 0) that fail during the run: they exert no force after the time ``at``."""
 
     at: Annotated[u.Time, POSITIVE]
     cylinders: Annotated[list[Annotated[int, Field(ge=0)]], Field(min_length=1)]
@@ -200,18 +201,19 @@ class Tensioners(Strict):
 
     By default, the cylinders have no damping and no stops.
 
-    In one state of the riser, all cylinders are at mid-stroke; the key ``mid_stroke`` selects this state. In
-    this state, the riser is either unstretched, or in equilibrium with the tension that the cylinders have at
+    The key ``mid_stroke`` selects the state of the riser in which all cylinders are at mid-stroke. In this
+    state, the riser is either unstretched, or in equilibrium with the tension that the cylinders have at
     mid-stroke. In both cases, the riser is vertical, in still water, at an offset of zero.
 
-    Give exactly one law for the pull of a cylinder: ``gas``, ``two_chamber_gas``, ``linear``, ``carried`` or
-    ``table``. The key ``linearised`` replaces a gas law by a straight line. The key ``table`` gives the pull
-    of one cylinder over its reach (its extension from mid-stroke). Between the rows of the table, the engine
-    interpolates smoothly and monotonically, or linearly with ``interpolation: linear``. Beyond the ends of
-    the table, the pull continues linearly, and the run prints a warning.
+    Give exactly one law for the pull of a cylinder, by one of the keys ``gas``, ``two_chamber_gas``,
+    ``linear``, ``carried`` or ``table``. The key ``linearised`` replaces a gas law by a straight line. The
+    key ``table`` gives the pull of one cylinder as a function of its reach (its extension from mid-stroke).
+    Between the rows of the table, the engine interpolates smoothly and monotonically; with ``interpolation:
+    linear``, it interpolates linearly. Beyond the ends of the table, the pull continues linearly, and the run
+    prints a warning.
 
-    Without ``arrangement``, the cylinders are vertical. Cylinders listed in ``failed`` (numbered from 0)
-    exert no force. Cylinders that fail during the run are listed in ``failing``.
+    Without ``arrangement``, the cylinders are vertical. The key ``failed`` lists cylinders (numbered from 0)
+    that exert no force from the start. The key ``failing`` lists cylinders that fail during the run.
     """
 
     count: Annotated[int, Field(ge=1, le=1000), WHOLE]

@@ -13,8 +13,8 @@ from riserstudy.scene.base import POSITIVE
 class DampingRatio(Strict):
     """Damping of tensioner cylinders as a ratio of critical damping.
 
-    The engine computes critical damping for a single mass on a spring. The mass is the suspended mass of the
-    riser. The stiffness of the spring is the vertical stiffness of the cylinders.
+    The engine computes critical damping for a single mass on a spring. This mass is the suspended mass of the
+    riser. The stiffness of this spring is the vertical stiffness of the cylinders.
     """
 
     ratio: Annotated[float, POSITIVE]
@@ -25,12 +25,12 @@ class DampingRatio(Strict):
 
 
 class Carried(Strict):
-    """Linear force of the tensioners, derived from the suspended weight; it replaces the key ``linear``.
+    """Linear law of the tensioners, computed from the suspended weight; it replaces the key ``linear``.
 
-    At mid-stroke, the cylinders that have not failed together carry the submerged weight of riser, contents
-    and bodies. The pull of inclined cylinders is larger than this weight, because only the vertical part of
-    the pull carries it. The stiffness is the pull at mid-stroke divided by ``doubles_over``, the extension at
-    which the pull would be twice as large.
+    At mid-stroke, the working cylinders together carry the submerged weight of riser, contents and bodies.
+    The pull of inclined cylinders is larger than this weight, because only the vertical part of the pull
+    carries it. The stiffness is the pull at mid-stroke divided by ``doubles_over``, the extension at which
+    the pull would be twice as large.
     """
 
     doubles_over: Annotated[u.Length, POSITIVE]

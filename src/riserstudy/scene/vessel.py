@@ -26,7 +26,7 @@ STEPS_A_TURN = 4
 class Wind(Strict):
     """Wind force on the platform, C |u| u.
 
-    In the formula of the wind force, C is ``drag``, and u is the velocity of the wind relative to the
+    In the formula of the wind force, C is the key ``drag``, and u is the velocity of the wind relative to the
     platform. By default, the wind of a scene blows towards +x.
     """
 
@@ -56,9 +56,9 @@ class Turning(Strict):
     """Moment of the thrusters about the vertical axis, G (psi_c - psi) - D d psi/dt.
 
     In the formula, psi is the present yaw angle of the vessel, and psi_c is ``command``, the commanded yaw
-    angle. Both angles are measured from the vessel's initial heading. The symbol G is ``gain``, and D is
-    ``velocity_gain``. Without ``command``, the commanded yaw angle is zero. Without ``velocity_gain``, the
-    thrusters do not damp the yaw. Without ``saturation``, the moment is unlimited.
+    angle. Both angles are measured from the vessel's initial heading. The symbol G is the key ``gain``, and D
+    is the key ``velocity_gain``. Without ``command``, the commanded yaw angle is zero. Without
+    ``velocity_gain``, the thrusters do not damp the yaw. Without ``saturation``, the moment is unlimited.
     """
 
     gain: Annotated[u.RotationalStiffness, NOT_NEGATIVE]
@@ -70,14 +70,16 @@ class Turning(Strict):
 class Thrusters(Strict):
     """Thrust G (x_c - x) - D v towards the commanded position x_c, measured from the point above the well.
 
-    In the formula, G is ``gain``, D is ``velocity_gain``, and x and v are the position and the velocity of
-    the vessel. Gains refer to the directions of the hull in its initial position. Without ``heading``, the
-    commanded position is on the x axis. Without ``velocity_gain``, the thrusters do not damp the motion.
-    Without ``saturation``, the thrust is unlimited. With ``saturation``, the magnitude of the thrust is
-    limited to this value in all directions. By default, the commanded position applies from the start. With
-    ``rise``, it increases as 1 - exp(-t / rise). By default, the thrust follows its command immediately. With
-    ``lag``, it follows the command with the time constant ``lag``. Without ``sway``, there is no thrust
-    across the hull. Without ``yaw``, the thrusters exert no moment on the vessel.
+    In the formula, G is the key ``gain``, D is the key ``velocity_gain``, and x and v are the position and
+    the velocity of the vessel. Gains refer to the directions of the hull in its initial position. The key
+    ``command`` is the distance of the commanded position from the point above the well, and ``heading`` is
+    its direction. Without ``heading``, the commanded position is on the x axis. Without ``velocity_gain``,
+    the thrusters do not damp the motion of the vessel. Without ``saturation``, the thrust is unlimited. With
+    ``saturation``, the magnitude of the thrust is limited to this value in all directions. By default, the
+    commanded position applies from the start. With ``rise``, the commanded distance increases in proportion
+    to 1 - exp(-t / rise). By default, the thrust follows the formula immediately. With ``lag``, the thrust
+    follows the formula with the time constant ``lag``. Without ``sway``, there is no thrust across the hull.
+    Without ``yaw``, the thrusters exert no moment on the vessel.
     """
 
     gain: Annotated[u.Stiffness, NOT_NEGATIVE]
@@ -104,8 +106,9 @@ class Sway(Strict):
 class Yaw(Strict):
     """Freedom of a vessel to rotate about the vertical axis through the riser's top.
 
-    Added inertia and hull drag (C |dpsi/dt| dpsi/dt) are zero if not given. If at least one riser section has
-    a shear modulus, the riser resists the yaw like a torsional spring.
+    The moment of the hull drag is C |dpsi/dt| dpsi/dt, with the yaw angle psi and the key ``hull_drag`` (C).
+    Added inertia and hull drag are zero if not given. If at least one riser section has a shear modulus, the
+    riser resists the yaw like a torsional spring.
     """
 
     inertia: Annotated[u.Inertia, POSITIVE]
@@ -114,13 +117,13 @@ class Yaw(Strict):
 
 
 class Coupling(Strict):
-    """Alternate solution of platform and riser, over intervals of time.
+    """Solution of platform and riser in turn, over intervals of time.
 
-    With ``staggered``, the platform first moves over each interval under the riser's force at the start of
-    the interval. The engine then simulates the riser with the computed motion of the platform. With
-    ``iterated``, the engine repeats each interval with the new force of the riser, until the platform motion
-    changes by less than ``tolerance``. The default of ``tolerance`` is the limit for corrections of positions
-    in Newton's iteration.
+    With ``scheme: staggered``, the engine first moves the platform over each interval, with the riser's force
+    at the start of the interval. The engine then simulates the riser with the computed motion of the
+    platform. With ``scheme: iterated``, the engine repeats each interval with the new force of the riser,
+    until the platform motion changes by less than ``tolerance``. The default of ``tolerance`` is the limit
+    for corrections of positions in Newton's iteration.
     """
 
     scheme: Literal["staggered", "iterated"]
@@ -171,16 +174,16 @@ class Vessel(Strict):
     """A floating platform, whose motion is computed together with the motion of the riser.
 
     Added mass, hull drag, wind, wave drift and thrusters are zero if not given. The hull drag depends on the
-    velocity of the vessel relative to the surface current. Without ``sway``, the vessel moves only along x;
-    without ``yaw``, it keeps its heading. Without ``heading``, the hull is along x. If all loads act along x,
+    velocity of the vessel relative to the surface current. Without ``sway``, the vessel moves only along x.
+    Without ``yaw``, it keeps its heading. Without ``heading``, the hull is along x. If all loads act along x,
     the vessel does not sway or turn, and the engine omits sway and yaw. The engine solves vessel and riser as
-    one system, or alternately if ``coupling`` is given.
+    one system; with the key ``coupling``, it solves them in turn.
 
-    In a scene with a ``vessel``, the key ``platform`` gives first-order motions in waves. The engine adds
-    them to the slow motion of the vessel. The riser's top and the deck move with the sum of both motions.
-    Hull drag, inertia and thrusters respond only to the slow motion. The mean wave drift is a constant force.
-    The outputs ``low_frequency_surge`` and ``low_frequency_sway`` give the slow motion. The outputs
-    ``platform_surge`` and ``platform_sway`` give the sum.
+    In a scene with a ``vessel``, the key ``platform`` gives the first-order (wave-frequency) motions. The
+    engine adds these motions to the slow motion of the vessel. The riser's top and the deck move with the sum
+    of both motions. Hull drag, inertia and thrusters respond only to the slow motion. The mean wave drift is
+    a constant force. The outputs ``low_frequency_surge`` and ``low_frequency_sway`` give the slow motion. The
+    outputs ``platform_surge`` and ``platform_sway`` give the sum of both motions.
     """
 
     mass: Annotated[u.Mass, POSITIVE]

@@ -17,8 +17,8 @@ class Water(Strict):
 
     Without the key ``water``, a scene has no drag, added mass, current or waves.
 
-    Waves require the elevations ``surface`` and ``seabed``. Current profiles that are not given by elevations
-    also require these two elevations.
+    Waves require the elevations ``surface`` and ``seabed``. A current profile by depth requires ``surface``,
+    and a current profile by a formula requires both elevations, unless it gives them itself.
     """
 
     density: Annotated[u.Density, POSITIVE]
