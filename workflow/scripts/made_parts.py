@@ -23,6 +23,7 @@ from riserstudy.dataset.variables import variables
 from riserstudy.effects.catalogue import catalogue
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.records.numerals import plain
+from riserstudy.scene.models import Scene
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -124,9 +125,10 @@ def allowed(tolerance: float) -> str:
 
 
 def _code(word: str) -> str:
-    """Return a path of a scene as code; words between paths are unchanged."""
+    """Return a key or path of a scene as code; words between paths are unchanged."""
     bare = word.rstrip(",")
-    return f"`{bare}`{word[len(bare) :]}" if "." in bare or "_" in bare else word
+    named = "." in bare or "_" in bare or bare in Scene.model_fields
+    return f"`{bare}`{word[len(bare) :]}" if named else word
 
 
 MAKERS: dict[str, Callable[[str], str]] = {

@@ -21,8 +21,8 @@ WORDS = (
     (("holds",), *PLURALS["holds"]),
     (
         ("depends",),
-        "depends on omitted inputs or on an interpretation",
-        "depend on omitted inputs or on an interpretation",
+        "depends on inputs that the papers omit or on an interpretation",
+        "depend on inputs that the papers omit or on an interpretation",
     ),
     (("fails",), *PLURALS["fails"]),
     (("calibrated",), *PLURALS["calibrated"]),
@@ -60,9 +60,10 @@ def replaced(text: str, part: str, made: str) -> str:
 def opening(number: int) -> str:
     """Return the sentences that introduce the project."""
     return (
-        "riserstudy is a simulation program and a Snakemake workflow for deepwater drilling risers. One "
-        "command repeats the simulations of five published papers, redraws their figures, and grades each of "
-        f"their {number} published values and claims (qualitative statements)."
+        "riserstudy is a simulation program for deepwater drilling risers, with a workflow (an automatic "
+        "sequence of jobs) in Snakemake. One command repeats the simulations of five published papers, "
+        f"redraws their figures, and grades each of their {number} published values and claims (qualitative "
+        "statements)."
     )
 
 

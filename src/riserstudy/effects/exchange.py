@@ -1,4 +1,4 @@
-r"""Exchange of force and motion between platform and riser, if the two are solved alternately.
+r"""Exchange of force and motion between platform and riser, if the two are solved in turn.
 
 The platform receives the force of the riser, interpolated linearly between the times of a table. The top
 of the riser receives the motion of the platform, by the cubic through positions and velocities at the

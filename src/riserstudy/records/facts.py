@@ -84,7 +84,7 @@ class RunFacts(TypedDict, total=False):
     solve_seconds: Annotated[
         float, Column("elapsed time of the run and of its refinements", "s", repeats=False)
     ]
-    elements: Annotated[int, Column("segments of the riser", "1", kind="integer")]
+    elements: Annotated[int, Column("number of segments of the riser", "1", kind="integer")]
     step: Annotated[float, Column("time step", "s")]
     newton_iterations: Annotated[
         int, Column("number of Newton iterations of the riser in all time steps", "1", kind="integer")
@@ -170,12 +170,14 @@ class RunFacts(TypedDict, total=False):
     vibration_rms_max_s: Annotated[
         float, Column("arclength, from the bottom, at which the vibration is largest", "m", **_RARE)
     ]
-    vibration_frequency: Annotated[float, Column("frequency where the vibration is largest", "Hz", **_RARE)]
+    vibration_frequency: Annotated[
+        float, Column("frequency at the place where the vibration is largest", "Hz", **_RARE)
+    ]
     vibration_scatter: Annotated[
         float,
         Column(
-            "difference of the vibration's root mean squares over the first and the second half of the time, "
-            "as root mean square along the riser, divided by the root mean square of the vibration",
+            "root mean square along the riser of the difference between the vibration's root mean squares in "
+            "the first and in the second half of the time, divided by the root mean square of the vibration",
             "1",
             **_RARE,
         ),
