@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterator
+import math
 from typing import Any
 
 import numpy as np
@@ -15,6 +14,7 @@ from riserstudy.dataset.unit_systems import read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
 from riserstudy.figures.grid import ENDINGS, SIZE, absent, key, label, present, read
+from riserstudy.figures.limited_spans import limited_spans
 from riserstudy.figures.style import COLOURS, headline, panels
 from riserstudy.scene.limits import SIGNED
 
@@ -71,8 +71,7 @@ def _panel(ax: Axes, run: xr.Dataset, name: str) -> None:
     if static is not None:
         rest = _selected(static)
         ax.plot(rest, _along(rest), color="black", linewidth=0.9, label="at rest")
-    for allowable in _limits(run, name):
-        ax.axvline(allowable, color=RED, linestyle="--", linewidth=1.0, label="limit")
+    _draw_limits(ax, run, name)
     ax.set_xlabel(label(xr.DataArray(0.0, name=name)))
     ax.locator_params(axis="x", nbins=4)
     if not sides and name + SIZE in run:
@@ -104,14 +103,18 @@ def _size(values: xr.DataArray, name: str) -> Any:
     return np.abs(values.values) if name in SIGNED else values.values
 
 
-def _limits(run: xr.Dataset, name: str) -> Iterator[float]:
-    """Allowables for the whole riser, in the reader's unit."""
-    factor = read_in(attributes(name).get("units", "")).factor
-    for row in json.loads(run.attrs.get("limits", "[]")):
-        if row["output"] == name and not row["at"] and row["allowable"] is not None:
-            yield factor * row["allowable"]
-            if name in SIGNED:
-                yield -factor * row["allowable"]
+def _draw_limits(ax: Axes, run: xr.Dataset, name: str) -> None:
+    """Draw each allowable where its limit applies: a line along sections, or a mark at the end of one."""
+    factor, along = read_in(attributes(name).get("units", "")).factor, read_in("m").factor
+    for span in limited_spans(run, name):
+        for sign in (1.0, -1.0) if name in SIGNED else (1.0,):
+            value, ends = sign * factor * span.allowable, (along * span.low, along * span.high)
+            if math.isinf(span.low):
+                ax.axvline(value, color=RED, linestyle="--", linewidth=1.0, label="limit")
+            elif span.low == span.high:
+                ax.plot(value, ends[0], "x", color=RED, label="limit at one place")
+            else:
+                ax.plot([value, value], ends, color=RED, linestyle="--", linewidth=1.0, label="limit")
 
 
 def _key(figure: Figure, axes: list[Axes]) -> None:
@@ -123,7 +126,8 @@ def _key(figure: Figure, axes: list[Axes]) -> None:
             if word in known:
                 line.set_label("_")
             elif ax is not axes[0] and not word.startswith("_"):
-                axes[0].plot([], [], color=line.get_color(), ls=line.get_linestyle(), label=word)
+                look = {"color": line.get_color(), "ls": line.get_linestyle(), "marker": line.get_marker()}
+                axes[0].plot([], [], **look, label=word)
                 line.set_label("_")
             known.add(word)
     key(figure, axes[0])
