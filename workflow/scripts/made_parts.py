@@ -9,7 +9,7 @@ from __future__ import annotations
 import ast
 import pkgutil
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +24,7 @@ from riserstudy.effects.catalogue import catalogue
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.records.numerals import plain
 from riserstudy.scene.models import Scene
+from scene_reference import models
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -59,7 +60,7 @@ def called_by(_: str) -> str:
     """Return the effects, each with its drawing and the part of a scene that includes it."""
     rows = [
         f"| ![drawing: {name}](images/effects/{file_of(name)}) | {name} "
-        f"| {' '.join(_code(word) for word in effect.requires.split())} |"
+        f"| {' '.join(_with_code(effect.requires.split()))} |"
         for name, effect in catalogue().items()
     ]
     return "\n".join(["| | effect | included by |", "|---|---|---|", *rows])
@@ -124,11 +125,13 @@ def allowed(tolerance: float) -> str:
     return f"{plain(100.0 * tolerance, 1)} %"
 
 
-def _code(word: str) -> str:
-    """Return a key or path of a scene as code; words between paths are unchanged."""
-    bare = word.rstrip(",")
-    named = "." in bare or "_" in bare or bare in Scene.model_fields
-    return f"`{bare}`{word[len(bare) :]}" if named else word
+def _with_code(words: list[str]) -> Iterator[str]:
+    """Return words with keys and paths of a scene as code, such as both in "top.tension or stop"."""
+    keys = {key for model in models() for key in model.model_fields}
+    for word, last in zip(words, ["", *words], strict=False):
+        bare = word.rstrip(",")
+        named = "." in bare or "_" in bare or bare in Scene.model_fields or (last == "or" and bare in keys)
+        yield f"`{bare}`{word[len(bare) :]}" if named else word
 
 
 MAKERS: dict[str, Callable[[str], str]] = {

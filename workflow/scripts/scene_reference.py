@@ -34,8 +34,8 @@ the riser start at its lower end.
 
 Every value of a scene has an origin, which states where the value comes from. If the scene has the key
 `paper`, a value without a stated origin is *published*: the paper prints it. In a scene without the key
-`paper`, such a value is *given*: you know it. Write any other origin together with the value, as in these
-examples:
+`paper`, a value without a stated origin is *given*: you know it. Write any other origin together with the
+value, as in these examples:
 
 ```yaml
 count: {assumed: 6, options: [6, 7], because: "six make the pull that the paper states"}

@@ -88,17 +88,17 @@ class Analysis(Strict):
     """Settings of the simulation.
 
     Without ``duration``, the engine computes only the static equilibrium, with the platform at its
-    ``position`` and the current at its full speed. A warning then lists the parts of the scene that have no
-    effect, such as motions, waves and thrusters. By default, the simulation starts from the static
-    equilibrium. With ``start: undeflected``, it starts from the equilibrium without current. With ``start:
-    unstretched``, it starts from the shape of the equilibrium, but with unstretched segments. If mesh and
-    time step are not given, the engine chooses them so that the tolerance ``accuracy`` is met. The default
-    tolerance is 0.2 % for displacement, 1 % for moment and tension, and 5 % for fatigue damage. The default
-    method of time integration is generalised-alpha with a spectral radius of 0.8. In a scene with a sudden
-    event (a disconnect, a tension loss without ``over``, or ``failing`` cylinders), the default method is
-    ESDIRK4. The default solver uses lumped masses; ``solver: hermite`` uses beam elements for small slopes.
-    Newton's iteration (the solution of nonlinear equations in each time step) ends when the correction of
-    positions is smaller than ``newton_tolerance`` times the length of the riser. The default of
+    ``position`` and the current at its full speed. Without ``duration``, a warning lists the parts of the
+    scene that have no effect, such as motions, waves and thrusters. By default, the simulation starts from
+    the static equilibrium. With ``start: undeflected``, the simulation starts from the equilibrium without
+    current. With ``start: unstretched``, it starts from the shape of the equilibrium, but with unstretched
+    segments. If mesh and time step are not given, the engine chooses them so that the tolerance ``accuracy``
+    is met. The default tolerance is 0.2 % for displacement, 1 % for moment and tension, and 5 % for fatigue
+    damage. The default method of time integration is generalised-alpha with a spectral radius of 0.8. In a
+    scene with a sudden event (a disconnect, a tension loss without ``over``, or ``failing`` cylinders), the
+    default method is ESDIRK4. The default solver uses lumped masses; ``solver: hermite`` uses beam elements
+    for small slopes. Newton's iteration (the solution of nonlinear equations in each time step) ends when the
+    correction of positions is smaller than ``newton_tolerance`` times the length of the riser. The default of
     ``newton_tolerance`` is 1e-9. A smaller value also reduces the limit for corrections of moments, by the
     same factor.
     """

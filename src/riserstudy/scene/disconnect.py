@@ -50,9 +50,9 @@ class RecoilValve(Strict):
 
     The key ``opening`` is the area of the open valve. The open valve throttles the oil even before the
     disconnect. The key ``discharge`` is the discharge coefficient. At the time ``delay`` after the
-    disconnect, by default 0 s, the valve starts to close. Within the time ``over``, it closes smoothly to the
-    fraction ``residual`` of its opening. The key ``failed`` lists the cylinders (numbered from 0) whose
-    valves stay open. Without ``isolation``, no gas bottles are shut off.
+    disconnect, by default 0 s, the valve starts to close. Within the time ``over``, the valve closes smoothly
+    to the fraction ``residual`` of its opening. The key ``failed`` lists the cylinders (numbered from 0)
+    whose valves stay open. Without ``isolation``, no gas bottles are shut off.
     """
 
     oil_density: Annotated[u.Density, POSITIVE]
@@ -86,14 +86,14 @@ class Disconnect(Strict):
     """Release of the riser's lower end, with the body at this end, from the wellhead during the run.
 
     The key ``at`` is the time of the disconnect. With the key ``phase``, the disconnect is delayed until the
-    platform's heave has this phase. The phase is 0 when the heave rises through its mean, and 90 deg at its
-    maximum. With ``phase``, the heave must be a single harmonic. The key ``over`` is the time over which the
-    force of the connector decreases to zero. By default, the disconnect is sudden. A sudden disconnect sends
-    steep fronts of tension waves along an undamped riser. A constant top tension remains unchanged after the
-    disconnect, unless ``valve`` is given. The tensioners act as before the disconnect, unless
-    ``recoil_valve`` is given. By default, the contents stay in the riser. With ``drain``, the contents flow
-    out. Without ``stack``, the lower marine riser package (LMRP) can move through the blow-out preventer
-    (BOP) stack without contact; a warning then appears.
+    platform's heave has this phase. The phase of the heave is 0 when the heave rises through its mean, and 90
+    deg at its maximum. With ``phase``, the heave must be a single harmonic. The key ``over`` is the time over
+    which the force of the connector decreases to zero. By default, the disconnect is sudden. A sudden
+    disconnect of an undamped riser causes tension waves with steep fronts along the riser. A constant top
+    tension remains unchanged after the disconnect, unless ``valve`` is given. The tensioners act as before
+    the disconnect, unless ``recoil_valve`` is given. By default, the contents stay in the riser. With
+    ``drain``, the contents flow out. Without ``stack``, the lower marine riser package (LMRP) can move
+    through the blow-out preventer (BOP) stack without contact; a warning then appears.
     """
 
     at: Annotated[u.Time, POSITIVE]

@@ -40,18 +40,18 @@ class Body(Strict):
     """A concentrated mass, such as a lower marine riser package (LMRP) or a tension ring.
 
     Give the submerged weight of the body, or give its displaced volume or the density of its material. From
-    the volume or the density, the engine computes the submerged weight with the mass and gravity. If the body
-    is at or above the water surface, the computed weight is the weight in air. For this comparison with the
-    water surface, the body has the elevation of the riser's end, with the riser unstretched. Weight, drag and
-    added mass are zero if they are not given. In waves, the accelerating water exerts a force on the body, in
-    proportion to the sum of the mass of displaced water and the added mass. If the displaced volume is not
-    given, the engine computes it from mass and ``submerged_weight``. Without ``centre_below``, the body is a
-    point at the riser's end. The key ``centre_below`` is the distance from the riser's lower end down to the
-    centre of the body. With this key, the body turns rigidly with the riser's lower end. The key
-    ``rotary_inertia``, by default zero, is the moment of inertia about axes through the body's centre that
-    are perpendicular to the riser. The engine then represents the body by two point masses, at the riser's
-    lower end and, below the riser, at the body's centre of percussion. Arclengths in results start at this
-    centre of percussion. The arclengths of ``stations`` in ``analysis.output`` still start at the riser's
+    the volume or the density, the engine computes the submerged weight with the mass and gravity. If the end
+    of the unstretched riser with the body is at or above the water surface, the computed weight is the weight
+    in air. Weight, drag and added mass of the body are zero if they are not given. In waves, the accelerating
+    water exerts a force on the body, in proportion to the sum of the mass of displaced water and the added
+    mass. If the displaced volume of the body is not given, the engine computes it from mass and
+    ``submerged_weight``. Without ``centre_below``, the body is a point at the riser's end. The key
+    ``centre_below`` is the distance from the riser's lower end down to the centre of the body. With
+    ``centre_below``, the body turns rigidly with the riser's lower end. The key ``rotary_inertia``, by
+    default zero, is the moment of inertia about axes through the body's centre that are perpendicular to the
+    riser. With ``centre_below``, the engine represents the body by two point masses: one at the riser's lower
+    end, and one below the riser, at the body's centre of percussion. The arclengths in results then start at
+    the centre of percussion. The arclengths of ``stations`` in ``analysis.output`` still start at the riser's
     lower end.
     """
 
@@ -132,8 +132,8 @@ Rotation = Literal["free", "fixed"] | FlexJoint
 class Bottom(Strict):
     """Lower end of the riser: held at the wellhead, free, or the lower end of a conductor (``foot``).
 
-    A conductor is the pipe in the soil below the wellhead. Its lower end cannot move vertically; the soil
-    resists its lateral motion.
+    A conductor is the pipe in the soil below the wellhead. The lower end of a conductor cannot move
+    vertically; the soil resists the lateral motion of the conductor.
     """
 
     hold: Literal["wellhead", "free", "foot"]
@@ -160,7 +160,8 @@ class JointStop(Strict):
     Extension and compression are measured from the same position as the stroke of the joint. The key
     ``stroke`` is the largest extension. The key ``collapse`` is the largest compression, at which the two
     barrels touch and push against each other. Without the key ``stroke``, the joint has no stop in extension;
-    without the key ``collapse``, it has no stop in compression. Both stops are elastic, without energy loss.
+    without the key ``collapse``, it has no stop in compression. The stops of the joint are elastic, without
+    energy loss.
     """
 
     stroke: Annotated[u.Length, POSITIVE] | None = None
@@ -185,7 +186,7 @@ class TelescopicJoint(Strict):
     the joint is below the water surface. The key ``length`` is the distance from the tension ring to the
     upper end of the joint with the platform at rest. The outer and the inner barrel bend together, as one
     beam. The key ``tension`` is an additional constant pull of tensioners along the joint. Without the key
-    ``stop``, the joint has no end stops. A warning then appears if the joint becomes shorter than half of
+    ``stop``, the joint has no end stops, and a warning appears if the joint becomes shorter than half of
     ``length`` or longer than twice ``length``, because no real joint can do this. Include the mass of the
     outer barrel in ``top.body`` at the tension ring; the inner barrel moves with the platform. The stops of
     the joint (``stop``) and the stops of the tensioners (``tensioners.stroke``) are separate, and a scene can
@@ -245,14 +246,14 @@ class Top(Strict):
 
     Without ``offset``, the top is vertically above the riser's bottom. Without ``elevation``, the engine
     computes the height of the top in static equilibrium. Tension, tension loss, lateral force, tensioners and
-    body are absent if they are not given. With ``held_at_tension``, the engine computes the height at which
-    the top is held. At this height, the vertical component of the pull on the static riser equals the given
-    force. If there is a body at the top, the pull just below the body equals the given force. For this
-    computation, the platform is in its position in calm water, and the current has its full speed. With ``x:
+    body are absent if they are not given. With ``held_at_tension``, the engine holds the top at the height at
+    which the vertical component of the pull on the static riser equals the given force. If there is a body at
+    the top, the pull just below the body equals the given force of ``held_at_tension``. In the computation of
+    this height, the platform is in its position in calm water, and the current has its full speed. With ``x:
     platform``, or with ``x: vessel`` and a ``platform`` in the scene, a flex joint or clamp (``rotation:
     fixed``) at the top rotates with the platform. With a telescopic joint, the top is the upper end of the
-    joint. The parts ``tension``, ``tensioners``, ``lateral_force`` and ``body`` are then at the tension ring,
-    below the joint.
+    joint, and ``tension``, ``tensioners``, ``lateral_force`` and ``body`` are at the tension ring, below the
+    joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

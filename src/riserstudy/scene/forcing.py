@@ -104,7 +104,7 @@ class TimeSeries(Strict, Generic[P]):
 
     Before the first point, the platform motion has the value of this point; after the last point, it keeps
     the last value. If one interval between points is much longer than its neighbours, the spline can exceed
-    the values of all points. The engine refuses a spline that exceeds these values by more than half of their
+    the values of all points. The engine refuses a spline that exceeds all points by more than half of their
     range. If all values of a sway, roll or yaw are zero, no simulation in three dimensions is required.
     """
 

@@ -34,13 +34,13 @@ class Limit(Strict):
     """Limit on one output: the largest or smallest allowed value, or the largest allowed mean over time.
 
     The key ``output`` can name an output along the riser (``effective_tension``, ``bending_moment``,
-    ``shear_force``, ``von_mises_stress``, ``x`` or ``y``). It can also name ``lower_end_tension``,
-    ``ufj_angle``, ``lfj_angle``, ``stroke``, ``joint_stroke``, ``tensioner_stroke``, ``tensioner_force`` or
-    ``largest_stress``. In a scene with a disconnect, ``overpull`` and ``lmrp_clearance`` are possible, too.
-    The page on variables of datasets explains these outputs. The output ``largest_stress`` neglects the
-    pressures of contents and sea; ``von_mises_stress`` includes these pressures. A stress range cannot have a
-    limit; use ``fatigue`` instead. The clearance of the riser in a moonpool (an opening through the hull)
-    cannot have a limit either.
+    ``shear_force``, ``von_mises_stress``, ``x`` or ``y``). Other possible outputs are ``lower_end_tension``,
+    ``ufj_angle``, ``lfj_angle``, ``stroke``, ``joint_stroke``, ``tensioner_stroke``, ``tensioner_force`` and
+    ``largest_stress``, and in a scene with a disconnect ``overpull`` and ``lmrp_clearance``. The page on
+    variables of datasets explains the outputs. The output ``largest_stress`` neglects the pressures of
+    contents and sea; ``von_mises_stress`` includes these pressures. A stress range cannot have a limit; use
+    ``fatigue`` instead. The clearance of the riser in a moonpool (an opening through the hull) cannot have a
+    limit either.
 
     The key ``mode`` states in which operation the limit must be met. A limit of the mode ``drilling`` applies
     only while drilling. A limit of the mode ``connected`` applies as long as the riser is connected, with or
@@ -48,13 +48,13 @@ class Limit(Strict):
     this limit is exceeded.
 
     For moments, shear forces, angles, x and y, the sign is a convention, so the limit applies to the
-    magnitude. For these outputs, the engine therefore refuses the key ``smallest``, and negative allowed
-    values. The key ``at`` gives the place: a section (its name), or an end of a section (``lower end of`` or
-    ``upper end of``, followed by the name). For a group of consecutive sections, give the names of the lowest
-    and the highest section (``[lowest, highest]``). By default, a limit applies to the whole riser. For
-    tension and stress, the default excludes the stack and the conductor below the flex joint. A disconnect
-    opens the lower flex joint, so a limit on the angle of this joint applies only until the disconnect. The
-    allowable value can have an origin, like any other value of a scene.
+    magnitude, and the engine refuses the key ``smallest`` and negative allowed values. The key ``at`` gives
+    the place: a section (its name), or an end of a section (``lower end of`` or ``upper end of``, followed by
+    the name). For a group of consecutive sections, give the names of the lowest and the highest section
+    (``[lowest, highest]``). By default, a limit applies to the whole riser. For tension and stress, the
+    default excludes the stack and the conductor below the flex joint. A disconnect opens the lower flex
+    joint, so a limit on the angle of this joint applies only until the disconnect. The allowable value can
+    have an origin, like any other value of a scene.
     """
 
     output: str

@@ -105,18 +105,18 @@ class Response(Strict):
     phases of the RAOs are leads or lags, relative to a wave crest at the platform. The surface elevation at
     the platform is A cos(w t - p), with the wave amplitude A, the angular frequency w and the phase p. If the
     key ``wave`` of ``response`` gives the wave, p is the phase of this wave. If the key ``wave`` of the scene
-    gives the wave, p is the phase of this wave plus k x, with the wave number k. Here x is the platform's
-    position in the direction of the wave, including its offset at rest and the distance covered by a cruise.
-    The key ``headings`` states whether the headings of RAOs are directions that waves travel to (``towards``)
-    or come from (``from``). Between headings, RAOs are interpolated linearly. The rows of the table can be in
-    any order. With ``symmetry``, the engine mirrors the RAOs at a given heading to obtain the RAOs at a
-    missing heading. With ``symmetry: sides``, the RAOs are mirrored in the x-z plane. With ``symmetry: sides
-    and ends``, they are also mirrored in the y-z plane. The key ``beyond`` defines the response to waves with
-    periods outside the range of the RAOs. With ``hold``, the engine uses the RAOs at the nearest end of the
-    range; with ``zero``, the platform does not respond to these waves. By default (``refuse``), the engine
-    refuses such waves. A warning states the share of the wave energy at periods outside the range. By
-    default, the platform responds to the wave of the scene, without a ramp, in all motions for which the
-    table gives RAOs. A wave that is given in ``response`` travels along x by default.
+    gives the wave, p is the phase of this wave plus k x, with the wave number k. In the phase k x, x is the
+    platform's position in the direction of the wave, including its offset at rest and the distance covered by
+    a cruise. The key ``headings`` states whether the headings of RAOs are directions that waves travel to
+    (``towards``) or come from (``from``). Between headings, RAOs are interpolated linearly. The rows of the
+    table can be in any order. With ``symmetry``, the engine mirrors the RAOs at a given heading to obtain the
+    RAOs at a missing heading. With ``symmetry: sides``, the RAOs are mirrored in the x-z plane. With
+    ``symmetry: sides and ends``, the RAOs are also mirrored in the y-z plane. The key ``beyond`` defines the
+    response to waves with periods outside the range of the RAOs. With ``hold``, the engine uses the RAOs at
+    the nearest end of the range; with ``zero``, the platform does not respond to these waves. By default
+    (``refuse``), the engine refuses such waves. A warning states the share of the wave energy at periods
+    outside the range. By default, the platform responds to the wave of the scene, without a ramp, in all
+    motions for which the table gives RAOs. A wave that is given in ``response`` travels along x by default.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]

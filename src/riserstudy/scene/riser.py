@@ -72,7 +72,8 @@ class Drag(Strict):
 class TangentialDrag(Strict):
     """Drag along the pipe: C_t rho pi D / 2 times the squared relative velocity along the pipe.
 
-    In this formula, C_t is the key ``coefficient``, rho the density of the water, and D the key ``diameter``.
+    In the formula of the drag, C_t is the key ``coefficient``, rho the density of the water, and D the key
+    ``diameter``.
     """
 
     coefficient: Coefficient
@@ -82,8 +83,8 @@ class TangentialDrag(Strict):
 class AddedMass(Strict):
     """Added mass per length of riser, C_a rho pi D^2 / 4, by default for motion across the pipe.
 
-    In this formula, C_a is the key ``coefficient``, rho the density of the water, and D the key ``diameter``.
-    With ``direction: horizontal``, the added mass acts in x and y only.
+    In the formula of the added mass, C_a is the key ``coefficient``, rho the density of the water, and D the
+    key ``diameter``. With ``direction: horizontal``, the added mass acts in x and y only.
     """
 
     coefficient: Coefficient
@@ -105,12 +106,13 @@ def _must_rise(frequencies: list[float]) -> None:
 class InLineExcitation(Strict):
     """Varying drag due to vortices, which synchronises with the velocity of the riser along the flow.
 
-    The amplitude of the varying drag per length is C_x rho D / 2 times the squared flow speed. Here rho is
-    the density of the water, and D the diameter. The key ``coefficient`` is C_x. The value of C_x is not
-    known; values of 0.1 to 1 are plausible assumptions. The key ``frequencies`` lists three frequencies of
-    the varying drag, as multiples of flow speed divided by diameter. The first frequency is the lowest, and
-    the third is the highest. The frequencies along the flow are about twice the frequencies across the flow.
-    The multiples 0.22, 0.36 and 0.52 are assumptions, each with a range of ±25 %.
+    The amplitude of the varying drag per length is C_x rho D / 2 times the squared flow speed. In this
+    formula, C_x is the key ``coefficient``, rho the density of the water, and D the diameter. The value of
+    C_x is not known; values of 0.1 to 1 are plausible assumptions. The key ``frequencies`` lists three
+    frequencies of the varying drag, as multiples of flow speed divided by diameter. The first of the three
+    frequencies is the lowest, and the third is the highest. The frequencies along the flow are about twice
+    the frequencies across the flow. For the three frequencies, the multiples 0.22, 0.36 and 0.52 are
+    assumptions, each with a range of ±25 %.
     """
 
     coefficient: Annotated[float, POSITIVE]
@@ -125,18 +127,18 @@ class InLineExcitation(Strict):
 class VortexInducedVibration(Strict):
     """Vortex-induced vibration across the flow, by the synchronisation model of Thorsen and others (2014).
 
-    The vortices exert a lift force on the pipe, across the flow. Here, the flow is the velocity of the water
-    relative to the pipe. The amplitude of the lift force per length is C_v rho D / 2 times the squared flow
-    speed, with the density rho of the water and the diameter D. The phase of the lift force synchronises with
-    the velocity of the riser. A section with ``viv`` must also have drag across the pipe, because drag limits
-    the amplitude of the vibration. The engine simulates a scene with ``viv`` in three dimensions.
+    The vortices exert a lift force on the pipe, across the flow (the velocity of the water relative to the
+    pipe). The amplitude of the lift force per length is C_v rho D / 2 times the squared flow speed, with the
+    density rho of the water and the diameter D. The phase of the lift force synchronises with the velocity of
+    the riser. A section with ``viv`` must also have drag across the pipe, because drag limits the amplitude
+    of the vibration. The engine simulates a scene with ``viv`` in three dimensions.
 
     The key ``coefficient`` is C_v; its published value is 1.2. The key ``frequencies`` lists three
-    frequencies of the lift force, as multiples of flow speed divided by diameter. The first frequency is the
-    lowest, and the third is the highest. At the second frequency, the lift force and the velocity of the
-    riser are in phase. The published values of the three frequencies are 0.11, 0.18 and 0.26. The engine
-    computes running mean squares of the motion, over the time in which the water flows a distance of
-    ``memory`` diameters, for example 20. The key ``seed`` determines the initial phases of the lift force,
+    frequencies of the lift force, as multiples of flow speed divided by diameter. The first of the three
+    frequencies is the lowest, and the third is the highest. At the second frequency, the lift force and the
+    velocity of the riser are in phase. The published values of the three frequencies are 0.11, 0.18 and 0.26.
+    The engine computes running mean squares of the motion, over the time in which the water flows a distance
+    of ``memory`` diameters, for example 20. The key ``seed`` determines the initial phases of the lift force,
     which vary smoothly along the riser. The key ``ramp`` is the time over which the lift force increases from
     zero to its full amplitude. The default of ``ramp`` is ten periods of vortex shedding in the fastest
     current. The key ``in_line`` adds an excitation along the flow; without this key, vortices cause no
@@ -172,8 +174,8 @@ class Contents(Strict):
     water in ``submerged_weight``. The contents reach up to the elevation ``level``, by default to the upper
     end of the highest section with contents. The gauge pressure of the contents on the wall is the static
     pressure of the column of contents up to ``level``. If a section without contents lies between sections
-    with contents, the pressure in the sections below it is unknown. In these lower sections, the engine then
-    does not compute the von Mises stress.
+    with contents, the pressure in the sections below it is unknown, and the engine does not compute the von
+    Mises stress in these lower sections.
     """
 
     density: Annotated[u.Density, POSITIVE]
@@ -191,8 +193,7 @@ class StructuralDamping(DampingAtPeriod):
     """Damping of the pipe, proportional to its stiffness.
 
     The key ``ratio`` is the ratio of damping to critical damping for a vibration with the period
-    ``at_period``. Flex joints are not damped: the moment of a flex joint is only its stiffness times its
-    angle.
+    ``at_period``. Flex joints are not damped: the moment of a flex joint is stiffness times angle.
     """
 
 
@@ -214,33 +215,33 @@ class Guide(Strict):
 class Section(Strict):
     """A length of riser with uniform properties. The sections of a riser are listed from the bottom up.
 
-    Give the axial and the bending stiffness, or give Young's modulus and the diameters. From Young's modulus
-    and the diameters, the engine computes both stiffnesses. A section without bending stiffness is a string:
-    it carries no bending moment. Give the mass, or ``wall_density``, from which the engine computes the mass.
-    If neither key is given, the mass is zero. If at least one section has a shear modulus, the torsion of the
-    riser resists the yaw of a vessel. Sections without a shear modulus are then rigid in torsion. All other
-    properties that are not given, such as drag, added mass and contents, are zero or absent.
+    Give the axial and the bending stiffness, or give Young's modulus and the diameters, from which the engine
+    computes both stiffnesses. A section without bending stiffness is a string: it carries no bending moment.
+    Give the mass, or ``wall_density``, from which the engine computes the mass. If neither key is given, the
+    mass is zero. If at least one section has a shear modulus, the torsion of the riser resists the yaw of a
+    vessel, and sections without a shear modulus are rigid in torsion. All other properties that are not
+    given, such as drag, added mass and contents, are zero or absent.
 
     The key ``submerged_weight`` is the weight of the pipe with everything fixed to it, minus the weight of
-    the water that the *outer* surface displaces. It does not include the weight of ``contents``. An example
-    is a bare steel pipe with an outer diameter of 21 in, an inner diameter of 19 in and a mass of 318.2 kg/m.
-    In sea water of 1025 kg/m^3, with a gravity of 9.81 m/s^2, the submerged weight of this pipe is 874.7 N/m.
-    If the pipe is full of mud of 1200 kg/m^3, the key ``contents`` adds 2153.4 N/m to this weight. There are
-    two ways to describe this pipe if it is full of sea water. The first way is a ``submerged_weight`` of
-    874.7 N/m with ``contents`` of 1025 kg/m^3. The second way is a ``submerged_weight`` of 2714.1 N/m without
-    ``contents``; it includes 1839.4 N/m of water inside the pipe. If a section has no ``submerged_weight``,
-    the engine computes it from the mass, the diameters, gravity and the density of the water. Such a section
-    must therefore have an inner diameter and ``contents``; otherwise the engine refuses the scene. For a
-    section that is wholly above the water, ``submerged_weight`` is the weight in air. If a section crosses
-    the water surface, and has no ``submerged_weight``, or has ``modules`` or ``lines``, the engine divides it
-    at the surface. In results, the part above the water is named ``<name>, above water``. This part displaces
-    no water; the engine therefore adds the weight of the displaced water (by the outer diameter) to a given
-    ``submerged_weight``.
+    the water that the *outer* surface displaces. The key ``submerged_weight`` does not include the weight of
+    ``contents``. An example is a bare steel pipe with an outer diameter of 21 in, an inner diameter of 19 in
+    and a mass of 318.2 kg/m. In sea water of 1025 kg/m^3, with a gravity of 9.81 m/s^2, the submerged weight
+    of this pipe is 874.7 N/m. If the pipe is full of mud of 1200 kg/m^3, the key ``contents`` adds 2153.4 N/m
+    to this weight. There are two ways to describe this pipe if it is full of sea water: a
+    ``submerged_weight`` of 874.7 N/m with ``contents`` of 1025 kg/m^3, or a ``submerged_weight`` of 2714.1
+    N/m, which includes 1839.4 N/m of water inside the pipe, without ``contents``. If a section has no
+    ``submerged_weight``, the engine computes it from the mass, the diameters, gravity and the density of the
+    water. A section without ``submerged_weight`` must therefore have an inner diameter and ``contents``;
+    otherwise the engine refuses the scene. For a section that is wholly above the water, ``submerged_weight``
+    is the weight in air. If a section crosses the water surface, and has no ``submerged_weight``, or has
+    ``modules`` or ``lines``, the engine divides it at the surface. In results, the part above the water is
+    named ``<name>, above water``. Because the part above the water displaces no water, the engine adds the
+    weight of the displaced water (by the outer diameter) to a given ``submerged_weight``.
 
-    The key ``buoyancy_lift`` is the net lift of buoyancy modules in water. This key has no effect on the
-    simulation, because ``submerged_weight`` already includes the lift. Only the minimum tension formula of
-    the command ``riserstudy tension`` requires ``buoyancy_lift``, because the formula treats steel and
-    modules separately. Without ``buoyancy_lift``, the command does not evaluate this formula.
+    The key ``buoyancy_lift``, the net lift of buoyancy modules in water, has no effect on the simulation,
+    because ``submerged_weight`` already includes the lift. Only the minimum tension formula of the command
+    ``riserstudy tension`` requires ``buoyancy_lift``, because the formula treats steel and modules
+    separately. Without ``buoyancy_lift``, the command does not evaluate this formula.
 
     If a section has ``modules`` or ``lines``, its given mass, weight and stiffness refer to the pipe alone.
     The engine adds the mass, weight and stiffness of modules and lines. If a scene has ``modules``, the

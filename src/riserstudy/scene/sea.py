@@ -59,16 +59,16 @@ class RegularWave(Swell, Wave):
     wave travels along x. By default, the wave acts from t = 0 without a ramp, on a riser in static
     equilibrium. The key ``above_mean_level`` defines the water velocities above the mean level: ``none``
     (zero), ``constant`` (the velocity at the mean level), or ``stretched`` (Wheeler's stretched profile). A
-    wave that is higher than 0.142 L tanh(k d) would break, and causes a warning. Here L is the length of the
-    wave, k its wave number and d the depth of the water.
+    wave that is higher than 0.142 L tanh(k d) would break, and causes a warning. In this formula, L is the
+    length of the wave, k its wave number and d the depth of the water.
     """
 
 
 class Storm(Strict):
     """An irregular sea with a JONSWAP spectrum: a sum of regular waves of equal energy.
 
-    The key ``components`` is the number of these regular waves. The key ``seed`` selects one set of random
-    phases.
+    The key ``components`` is the number of regular waves in the sum. The key ``seed`` selects one set of
+    random phases.
     """
 
     significant_height: Annotated[u.Length, POSITIVE]
@@ -86,9 +86,9 @@ class Storm(Strict):
 class IrregularSea(Storm, Wave):
     """An irregular sea with a JONSWAP spectrum: a sum of regular waves of equal energy.
 
-    The key ``components`` is the number of these regular waves. The key ``seed`` selects one set of random
-    phases. By default, the waves travel along x, and act from t = 0 without a ramp, on a riser in static
-    equilibrium. The key ``above_mean_level`` has the same meaning as for a regular wave.
+    The key ``components`` is the number of regular waves in the sum. The key ``seed`` selects one set of
+    random phases. By default, the waves travel along x, and act from t = 0 without a ramp, on a riser in
+    static equilibrium. The key ``above_mean_level`` has the same meaning as for a regular wave.
     """
 
 
@@ -100,8 +100,8 @@ class WindDrift(Strict):
     turns further away from the wind. At the friction depth, depth_factor W / sqrt(sin latitude), the drift is
     opposite to its direction at the surface, with 1/23 of its speed at the surface. The key ``component``
     selects the part of the drift that acts on the riser: along the wind, across the wind, the magnitude, or
-    both parts. With ``both``, the heading of the current is the heading of the wind. The drift then turns to
-    the right of the wind in the northern ``hemisphere``, and to the left in the southern hemisphere.
+    both parts. With ``component: both``, the heading of the current is the heading of the wind, and the drift
+    turns to the right of the wind in the northern ``hemisphere``, and to the left in the southern hemisphere.
     """
 
     wind_speed: Annotated[u.Speed, POSITIVE]

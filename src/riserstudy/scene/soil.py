@@ -19,9 +19,9 @@ class Matlock(Strict):
     """Soft clay under static load, by Matlock's p-y curves.
 
     The undrained shear strength increases linearly with depth. Matlock's p-y curve (resistance as a function
-    of displacement) is infinitely stiff at zero displacement. Up to a small displacement, a straight line
-    therefore replaces the curve. This line ends at the displacement ``straight_up_to`` times y50, where y50
-    is the displacement at half of the ultimate resistance.
+    of displacement) is infinitely stiff at zero displacement. Up to a small displacement, ``straight_up_to``
+    times y50, a straight line therefore replaces the curve. The symbol y50 is the displacement at half of the
+    ultimate resistance.
     """
 
     strength_at_mudline: Annotated[u.Modulus, NOT_NEGATIVE]
@@ -106,9 +106,9 @@ class SoilDamping(DampingAtPeriod):
 
     The key ``ratio`` is the damping ratio (damping divided by critical damping) at one period of motion. In a
     cycle with the period ``at_period`` and the amplitude ``at_displacement``, a dashpot dissipates 4 pi
-    ``ratio`` times the elastic energy of its soil spring. This energy is computed with the secant stiffness
-    of the spring. Choose ``at_period`` close to the period of motion. At longer periods, a dashpot dissipates
-    less energy per cycle; real soil dissipates the same energy.
+    ``ratio`` times the elastic energy of its soil spring, computed with the secant stiffness of the spring.
+    Choose ``at_period`` close to the period of motion. At longer periods, a dashpot dissipates less energy
+    per cycle; real soil dissipates the same energy.
     """
 
     at_displacement: Annotated[u.Length, POSITIVE] | None = None
@@ -117,8 +117,8 @@ class SoilDamping(DampingAtPeriod):
 class Soil(Strict):
     """Soil around the lowest sections of the riser, below the flex joint, from the mudline down.
 
-    The mudline is the surface of the soil. Below it, water exerts no forces: current, waves, drag and added
-    mass act only above the mudline.
+    Below the mudline (the surface of the soil), water exerts no forces: current, waves, drag and added mass
+    act only above the mudline.
     """
 
     mudline: u.Length

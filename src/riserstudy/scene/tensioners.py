@@ -18,10 +18,10 @@ from riserstudy.scene.tensioners_by_weight import Carried, DampingRatio
 class Chamber(Strict):
     """Gas on one side of a tensioner piston: the area on which it acts, and its state at mid-stroke.
 
-    If ``pressure`` is a gauge pressure, the engine converts it to an absolute pressure. The key ``outside``
-    is the external pressure, which acts on ``area`` against the gas. By default, this external pressure is
-    the atmospheric pressure if ``pressure`` is a gauge pressure. If ``pressure`` is absolute, ``outside`` is
-    zero by default, because some published tensioner formulas neglect the external pressure.
+    The engine converts a gauge pressure to an absolute pressure. The key ``outside`` is the external
+    pressure, which acts on ``area`` against the gas. By default, this external pressure is the atmospheric
+    pressure if ``pressure`` is a gauge pressure. If ``pressure`` is absolute, ``outside`` is zero by default,
+    because some published tensioner formulas neglect the external pressure.
     """
 
     area: Annotated[u.Area, POSITIVE]
@@ -56,8 +56,8 @@ class Gas(Chamber):
 class Pistons(Strict):
     """Tensioner pistons with their rods, which move with the tension ring.
 
-    With ``counted: once``, the key ``mass`` is the mass of all pistons together. With ``counted: each``, it
-    is the mass of one piston.
+    With ``counted: once``, the key ``mass`` is the mass of all pistons together. With ``counted: each``, the
+    key ``mass`` is the mass of one piston.
     """
 
     mass: Annotated[u.Mass, POSITIVE]
@@ -201,9 +201,9 @@ class Tensioners(Strict):
 
     By default, the cylinders have no damping and no stops.
 
-    The key ``mid_stroke`` selects the state of the riser in which all cylinders are at mid-stroke. In this
-    state, the riser is either unstretched, or in equilibrium with the tension that the cylinders have at
-    mid-stroke. In both cases, the riser is vertical, in still water, at an offset of zero.
+    The key ``mid_stroke`` selects the state of the riser in which all cylinders are at mid-stroke: the riser
+    is either unstretched, or in equilibrium with the tension that the cylinders have at mid-stroke. In both
+    states, the riser is vertical, in still water, at an offset of zero.
 
     Give exactly one law for the pull of a cylinder, by one of the keys ``gas``, ``two_chamber_gas``,
     ``linear``, ``carried`` or ``table``. The key ``linearised`` replaces a gas law by a straight line. The

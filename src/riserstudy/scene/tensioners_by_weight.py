@@ -13,8 +13,8 @@ from riserstudy.scene.base import POSITIVE
 class DampingRatio(Strict):
     """Damping of tensioner cylinders as a ratio of critical damping.
 
-    The engine computes critical damping for a single mass on a spring. This mass is the suspended mass of the
-    riser. The stiffness of this spring is the vertical stiffness of the cylinders.
+    The engine computes critical damping for a single mass on a spring: the suspended mass of the riser, and
+    the vertical stiffness of the cylinders.
     """
 
     ratio: Annotated[float, POSITIVE]

@@ -56,8 +56,8 @@ class Turning(Strict):
     """Moment of the thrusters about the vertical axis, G (psi_c - psi) - D d psi/dt.
 
     In the formula, psi is the present yaw angle of the vessel, and psi_c is ``command``, the commanded yaw
-    angle. Both angles are measured from the vessel's initial heading. The symbol G is the key ``gain``, and D
-    is the key ``velocity_gain``. Without ``command``, the commanded yaw angle is zero. Without
+    angle. Both yaw angles are measured from the vessel's initial heading. The symbol G is the key ``gain``,
+    and D is the key ``velocity_gain``. Without ``command``, the commanded yaw angle is zero. Without
     ``velocity_gain``, the thrusters do not damp the yaw. Without ``saturation``, the moment is unlimited.
     """
 
@@ -71,11 +71,11 @@ class Thrusters(Strict):
     """Thrust G (x_c - x) - D v towards the commanded position x_c, measured from the point above the well.
 
     In the formula, G is the key ``gain``, D is the key ``velocity_gain``, and x and v are the position and
-    the velocity of the vessel. Gains refer to the directions of the hull in its initial position. The key
+    the velocity of the vessel. The gains apply along and across the hull in its initial position. The key
     ``command`` is the distance of the commanded position from the point above the well, and ``heading`` is
     its direction. Without ``heading``, the commanded position is on the x axis. Without ``velocity_gain``,
     the thrusters do not damp the motion of the vessel. Without ``saturation``, the thrust is unlimited. With
-    ``saturation``, the magnitude of the thrust is limited to this value in all directions. By default, the
+    ``saturation``, the magnitude of the thrust is at most ``saturation`` in all directions. By default, the
     commanded position applies from the start. With ``rise``, the commanded distance increases in proportion
     to 1 - exp(-t / rise). By default, the thrust follows the formula immediately. With ``lag``, the thrust
     follows the formula with the time constant ``lag``. Without ``sway``, there is no thrust across the hull.
@@ -96,7 +96,7 @@ class Thrusters(Strict):
 class Sway(Strict):
     """Freedom of a vessel to move sideways.
 
-    If added mass and hull drag across the hull are not given, they are zero.
+    Added mass and hull drag across the hull are zero if they are not given.
     """
 
     added_mass: Annotated[u.Mass, NOT_NEGATIVE] | None = None
@@ -120,10 +120,10 @@ class Coupling(Strict):
     """Solution of platform and riser in turn, over intervals of time.
 
     With ``scheme: staggered``, the engine first moves the platform over each interval, with the riser's force
-    at the start of the interval. The engine then simulates the riser with the computed motion of the
-    platform. With ``scheme: iterated``, the engine repeats each interval with the new force of the riser,
-    until the platform motion changes by less than ``tolerance``. The default of ``tolerance`` is the limit
-    for corrections of positions in Newton's iteration.
+    at the start of the interval, and then simulates the riser with the computed motion of the platform. With
+    ``scheme: iterated``, the engine repeats each interval with the new force of the riser, until the platform
+    motion changes by less than ``tolerance``. The default of ``tolerance`` is the limit for corrections of
+    positions in Newton's iteration.
     """
 
     scheme: Literal["staggered", "iterated"]
@@ -175,15 +175,15 @@ class Vessel(Strict):
 
     Added mass, hull drag, wind, wave drift and thrusters are zero if not given. The hull drag depends on the
     velocity of the vessel relative to the surface current. Without ``sway``, the vessel moves only along x.
-    Without ``yaw``, it keeps its heading. Without ``heading``, the hull is along x. If all loads act along x,
-    the vessel does not sway or turn, and the engine omits sway and yaw. The engine solves vessel and riser as
-    one system; with the key ``coupling``, it solves them in turn.
+    Without ``yaw``, the vessel keeps its heading. Without ``heading``, the hull is along x. If all loads act
+    along x, the vessel does not sway or turn, and the engine omits sway and yaw. The engine solves vessel and
+    riser as one system; with the key ``coupling``, it solves them in turn.
 
     In a scene with a ``vessel``, the key ``platform`` gives the first-order (wave-frequency) motions. The
-    engine adds these motions to the slow motion of the vessel. The riser's top and the deck move with the sum
-    of both motions. Hull drag, inertia and thrusters respond only to the slow motion. The mean wave drift is
-    a constant force. The outputs ``low_frequency_surge`` and ``low_frequency_sway`` give the slow motion. The
-    outputs ``platform_surge`` and ``platform_sway`` give the sum of both motions.
+    riser's top and the deck move with the sum of the slow motion of the vessel and the first-order motions.
+    Hull drag, inertia and thrusters respond only to the slow motion. The mean wave drift is a constant force.
+    The outputs ``low_frequency_surge`` and ``low_frequency_sway`` give the slow motion. The outputs
+    ``platform_surge`` and ``platform_sway`` give the sum of slow and first-order motion.
     """
 
     mass: Annotated[u.Mass, POSITIVE]
