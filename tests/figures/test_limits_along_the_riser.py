@@ -1,4 +1,4 @@
-"""A graph over arclength draws a limit where the check judges it, with and without a stack and a conductor."""
+"""A graph over arclength draws a limit where it is judged, with and without a stack and a conductor."""
 
 import json
 

@@ -126,8 +126,8 @@ def _key(figure: Figure, axes: list[Axes]) -> None:
             if word in known:
                 line.set_label("_")
             elif ax is not axes[0] and not word.startswith("_"):
-                look = {"color": line.get_color(), "ls": line.get_linestyle(), "marker": line.get_marker()}
-                axes[0].plot([], [], **look, label=word)
+                (shown,) = axes[0].plot([], [], color=line.get_color(), ls=line.get_linestyle(), label=word)
+                shown.set_marker(line.get_marker())
                 line.set_label("_")
             known.add(word)
     key(figure, axes[0])
