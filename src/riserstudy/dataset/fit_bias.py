@@ -46,6 +46,43 @@ def error_of(above: float, count: int) -> float:
     return math.sqrt(float(at @ bias_of(count).variance @ at))
 
 
+@cache
+def ends_of_band(above: float, count: int, share: float) -> tuple[float, float]:
+    """Ends of a band around a fractile of ``count`` values, below and above it, in its standard errors.
+
+    The band contains the true fractile in a ``share`` of cases. For few values it is far longer upwards: the
+    true fractile, minus the fitted mode and divided by the fitted scale, is distributed like Student's t.
+
+    Parameters
+    ----------
+    above : scales of the fractile above the mode.
+    """
+    few = min(count, MOST)
+    modes, scales = drawn_fits(few)
+    bias, outside = bias_of(few), 0.5 * (1.0 - share)
+    low, high = np.quantile((above - modes) / scales, [outside, 1.0 - outside])
+    each = [(bias.mode + bias.scale * float(end) - above) / error_of(above, few) for end in (low, high)]
+    return -each[0], each[1]
+
+
+def possible(above: float, count: int, draw: np.random.Generator) -> tuple[float, float]:
+    """A change of a corrected fractile, in scales, and a factor (1) of the scale, which may make them true.
+
+    By the distribution of errors of fits to ``count`` values. Both belong to one fit: where the scale is too
+    small, so is a fractile above the mode.
+
+    Parameters
+    ----------
+    above : scales of the fractile above the mode.
+    """
+    few = min(count, MOST)
+    modes, scales = drawn_fits(few)
+    bias, k = bias_of(few), draw.integers(len(modes))
+    share = math.sqrt(few / count)
+    change = bias.mode + bias.scale * float((above - modes[k]) / scales[k]) - above
+    return share * change, 1.0 + share * (bias.scale / float(scales[k]) - 1.0)
+
+
 def error_of_scale(count: int) -> float:
     """Relative standard error (1) of the scale of a fit to ``count`` values."""
     return math.sqrt(float(bias_of(count).variance[1, 1]))

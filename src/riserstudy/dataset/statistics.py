@@ -12,7 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from riserstudy.dataset.further_seas import scales_above_mode
+from riserstudy.dataset.fit_bias import corrected, error_of
+from riserstudy.dataset.further_seas import fitted, scales_above_mode
 
 FloatArray = NDArray[np.float64]
 FEWEST_PEAKS = 10  # smallest number of peaks for the fit of a distribution
@@ -43,11 +44,13 @@ class Statistics(NamedTuple):
 
 
 class Gumbel(NamedTuple):
-    """The Gumbel distribution of largest values, one per seed."""
+    """The Gumbel distribution of largest values, one per seed, without the mean error of a fit to few."""
 
     mode: float  # the most probable largest value
     scale: float
-    fractile: float  # value that nine further seas in ten do not exceed
+    # value that nine further seas in ten do not exceed; because of the errors of the fit, it is more than
+    # 2.25 scales above the mode
+    fractile: float
     mode_error: float  # standard error of the mode
 
 
@@ -164,20 +167,22 @@ def _most_probable(found: FloatArray, count: float) -> float:
     return float(np.exp(log_scale) * math.log(count) ** slope)
 
 
-def gumbel(largest: ArrayLike) -> Gumbel:
+def gumbel(largest: ArrayLike, longer: float = 1.0) -> Gumbel:
     """The Gumbel distribution of largest values, one per seed, by maximum likelihood.
+
+    Parameters
+    ----------
+    largest : (seeds,) largest values, in their unit.
+    longer : duration of the further seas of the fractile, divided by that of the seas (1).
 
     References
     ----------
-    Gumbel 1958, Statistics of Extremes; the mode's standard error is that of maximum likelihood,
-    1.053 scale / sqrt(n).
+    Gumbel 1958, Statistics of Extremes.
     """
-    from scipy.stats import gumbel_r
-
     values: Any = np.asarray(largest, float)
     if np.ptp(values) <= SAME * np.abs(values).max():  # the sea does not change the quantity
         return Gumbel(float(values.mean()), 0.0, float(values.max()), 0.0)
-    mode, scale = gumbel_r.fit(values)
-    fractile = mode + scales_above_mode(values.size, NOT_EXCEEDED) * scale
-    error = math.sqrt(1.0 + 6.0 * (1.0 - np.euler_gamma) ** 2 / math.pi**2) * scale
-    return Gumbel(float(mode), float(scale), float(fractile), float(error / math.sqrt(len(values))))
+    mode, scale = (float(of[0]) for of in fitted(values[None]))
+    fractile = mode + scales_above_mode(values.size, NOT_EXCEEDED, longer) * scale
+    mode, scale = corrected(mode, scale, values.size)
+    return Gumbel(mode, scale, fractile, scale * error_of(0.0, values.size))

@@ -9,10 +9,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.further_seas import scales_above_mode
 from riserstudy.dataset.limits import error_of, rows_of, too_coarse
 from riserstudy.dataset.result import Result
-from riserstudy.dataset.statistics import NOT_EXCEEDED, gumbel
+from riserstudy.dataset.statistics import gumbel
 from riserstudy.errors import InputError
 from riserstudy.model.layout import directions
 from riserstudy.model.mesh import Mesh, mesh_of
@@ -172,11 +171,7 @@ def allowance(added: FloatArray, longer: float = 1.0) -> float:
     """
     if np.isnan(added).any():
         return math.nan
-    found = gumbel(added)
-    if found.scale == 0.0:  # one seed, or equal seeds
-        return max(found.fractile, 0.0)
-    above = scales_above_mode(len(added), NOT_EXCEEDED, longer)
-    return max(found.mode + above * found.scale, 0.0)
+    return max(gumbel(added, longer).fractile, 0.0)
 
 
 def _added(scene: Resolved, limit: Limit, of: Run) -> dict[str, float]:

@@ -8,12 +8,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.fit_bias import corrected, error_of
+from riserstudy.dataset.fit_bias import ends_of_band, error_of
 from riserstudy.dataset.statistics import FEWEST_SEEDS, NOT_EXCEEDED, gumbel
 from riserstudy.errors import InputError
 
 FloatArray = NDArray[np.float64]
 ALIKE = 1e-9  # relative spread of seeds that counts as rounding
+BAND = 0.9  # share of cases in which the band of a demand contains its true value
 
 
 class Demand(NamedTuple):
@@ -60,7 +61,31 @@ def demand(values: FloatArray, side: str, runs: float) -> Demand:
     if np.isnan(values).any() or np.ptp(largest) <= ALIKE * abs(largest).max():
         return Demand(float(sign * largest.max()), 0.0, 0.0)
     found = gumbel(largest)
-    above_mode = math.log(runs) - math.log(-math.log(NOT_EXCEEDED))  # in units of the scale
-    mode, scale = corrected(found.mode, found.scale, len(values))
-    deviation = scale * error_of(above_mode, len(values))
-    return Demand(sign * (mode + above_mode * scale), deviation, scale)
+    above_mode = scales_of(runs)
+    deviation = found.scale * error_of(above_mode, len(values))
+    return Demand(sign * (found.mode + above_mode * found.scale), deviation, found.scale)
+
+
+def scales_of(runs: float) -> float:
+    """Scales (1) of a demand above the mode of runs, in an interval as long as ``runs`` runs (1)."""
+    return math.log(runs) - math.log(-math.log(NOT_EXCEEDED))
+
+
+def ends(side: str, runs: float, seeds: int) -> tuple[float, float]:
+    """Ends of the band of a demand: towards worse and better demands, in its standard errors.
+
+    For one seed, the standard error is not known, and the band has no width.
+
+    Parameters
+    ----------
+    runs : length of the interval divided by the length of a run (1).
+    """
+    from scipy.special import stdtrit
+
+    if seeds == 1:
+        return 0.0, 0.0
+    if side == "mean":
+        student = float(stdtrit(seeds - 1, 0.5 * (1.0 + BAND)))
+        return student, student
+    better, worse = ends_of_band(scales_of(runs), seeds, BAND)
+    return worse, better
