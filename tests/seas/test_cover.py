@@ -58,7 +58,7 @@ def test_a_smaller_error_takes_more_sea_states(record):
 
 def counted(record, of, found):
     """Limits that are met by row, and hours, without what is not known of seeds."""
-    response = response_of(of, found, *2 * [np.zeros_like(found.responses)], LIMITS)
+    response = response_of(of, found, *2 * [np.zeros_like(found.responses)], LIMITS, np.ones((2, 2)))
     every = np.ones(record.sizes["time"], bool)
     known, rows = by_rows([(of, every.astype(float), response)])
     which = met(rows, LIMITS)
@@ -139,7 +139,7 @@ def test_units_of_a_response_change_nothing(side, allowed):
         own = np.array([allowed * unit])
         one = cover(of, lambda states, u=unit: u * resonant()(states)[:, :1], own, 0.03, 80)
         seeds = np.zeros_like(one.responses)
-        found.append((one, response_of(of, one, seeds, seeds, [limit], 0.01).off / unit))
+        found.append((one, response_of(of, one, seeds, seeds, [limit], np.ones((2, 1)), 0.01).off / unit))
     (one, off), *others = found
     true = resonant()(of.states)[:, :1]
     assert (np.abs(one.surface.at(of.states) - true) <= off).mean() > 0.95

@@ -34,8 +34,8 @@ def drawn(seed):
     rows = int(known.sum())
     demand = draw.uniform(1.0, 6.0, (rows, len(limits)))
     demand[draw.random(rows) < 0.2] = math.nan
-    off, scale = draw.uniform(0.0, 1.5, (2, rows, len(limits)))
-    return draw, record, limits, known, Response(demand, off, scale)
+    off, worse, better, scale = draw.uniform(0.0, 0.8, (4, rows, len(limits)))
+    return draw, record, limits, known, Response(demand, off, worse, better, scale)
 
 
 def is_met(limit, demand, change):
@@ -53,11 +53,17 @@ def test_hours_are_those_of_rows_counted_one_by_one(seed):
     found = riser_hours(record, known, met(response, limits), limits, error, calm)
     rows, of_sea = range(len(response.demand)), calm[known]
 
+    changes = {
+        0.0: 0.0 * response.off,
+        1.0: response.off + response.seeds_worse,
+        -1.0: -response.off - response.seeds_better,
+    }
+
     def share(mode, sign):
         names = NEEDED.get(mode, mode).split()
         of = [k for k, limit in enumerate(limits) if limit.mode in names]
         good = [
-            of_sea[n] and all(is_met(limits[k], response.demand[n, k], sign * response.off[n, k]) for k in of)
+            of_sea[n] and all(is_met(limits[k], response.demand[n, k], changes[sign][n, k]) for k in of)
             for n in rows
         ]
         return sum(good) / len(good)
@@ -91,14 +97,14 @@ def test_rows_between_headings_have_the_weighted_mean_of_their_responses(seed):
     parts = []
     for heading in range(2):
         states = int(draw.integers(3, 8))
-        values = draw.uniform(-1.0, 1.0, (3, states, limits))
+        values = draw.uniform(-1.0, 1.0, (5, states, limits))
         values[:, 0] = math.nan  # a run that failed
         parts.append((SeaStates(np.ones((states, 2)), np.ones(states, int), draw.integers(0, states, count)),
                       weight[:, heading], Response(*values)))  # fmt: skip
     known, found = by_rows(parts)
     left = [n for n in range(count) if weight[n].max() > 0.0]
     assert np.flatnonzero(known).tolist() == left
-    for field in range(3):
+    for field in range(5):
         for place, n in enumerate(left):
             expected = sum(w[n] * one[field][of.state_of_row[n]] for of, w, one in parts if w[n] > 0.0)
             np.testing.assert_allclose(found[field][place], expected)

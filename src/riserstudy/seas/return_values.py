@@ -1,8 +1,8 @@
 """Return values for long return periods by two methods, each with a band.
 
 Largest values of years follow a Gumbel distribution. Peaks over a threshold, one per storm, follow a
-generalised Pareto distribution and a Poisson process. Bands are from fits to samples of the same size, drawn
-from the fitted distribution.
+generalised Pareto distribution and a Poisson process. Bands are from distributions that may be true, by the
+errors of fits to samples of the same size.
 """
 
 from __future__ import annotations
@@ -12,10 +12,11 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
+from riserstudy.seas.peaks_over import fitted, possible
 from riserstudy.seas.year_bands import BAND
 from riserstudy.seas.years import WHOLE
 
@@ -24,12 +25,10 @@ DRAWS = 400
 APART = 72.0  # smallest time between peaks of two storms (h)
 PEAKS_A_YEAR = 6  # number of storms per year whose peaks are used
 FEWEST_YEARS = 5
-# range of the shape of the generalised Pareto distribution for seas and responses
-SHAPES = (-0.5, 0.5)
 
 
 class ReturnValue(NamedTuple):
-    """A return value, and the band that contains nine in ten fits."""
+    """A return value, and the band that contains the true one in nine of ten cases."""
 
     value: float
     low: float
@@ -45,18 +44,25 @@ def of_years(largest: FloatArray, years: float, seed: int = 0) -> ReturnValue:
     ----------
     Gumbel 1958, Statistics of Extremes; fitted by L-moments, Hosking 1990, J. R. Stat. Soc. B 52.
     """
-    value, fitted = refits_of_years(largest, years, np.random.default_rng(seed), DRAWS)
-    return ReturnValue(value, *_band(fitted))
+    value, drawn = drawn_of_years(largest, years, np.random.default_rng(seed), DRAWS)
+    return ReturnValue(value, *_band(drawn))
 
 
-def refits_of_years(
+def drawn_of_years(
     largest: FloatArray, years: float, draw: np.random.Generator, count: int
 ) -> tuple[float, FloatArray]:
-    """Return value, and (count,) return values of fits to samples drawn from the first fit."""
+    """Return value, and (count,) values that may be true.
+
+    Errors of mode and scale, divided by the scale, are those of fits to samples with known mode and scale.
+
+    References
+    ----------
+    Lawless 2003, Statistical Models and Methods for Lifetime Data, chapter 5: pivotal quantities.
+    """
     mode, scale = _gumbel(largest)
     at = -math.log(-math.log(1.0 - 1.0 / years))  # of the reduced variate
-    modes, scales = _gumbel(draw.gumbel(mode, scale, (count, len(largest))))
-    return float(mode + scale * at), modes + scales * at
+    modes, scales = _gumbel(draw.gumbel(size=(count, len(largest))))
+    return float(mode + scale * at), mode + scale * (at - modes) / scales
 
 
 def of_peaks(
@@ -70,21 +76,19 @@ def of_peaks(
     Technometrics 29.
     """
     draw = np.random.default_rng(seed)
-    value, fitted = refits_of_peaks(peaks, threshold, recorded, years, draw, DRAWS)
-    return ReturnValue(value, *_band(fitted))
+    value, drawn = drawn_of_peaks(peaks, threshold, recorded, years, draw, DRAWS)
+    return ReturnValue(value, *_band(drawn))
 
 
-def refits_of_peaks(
+def drawn_of_peaks(
     peaks: FloatArray, threshold: float, recorded: float, years: float, draw: np.random.Generator, count: int
 ) -> tuple[float, FloatArray]:
-    """Return value, and (count,) return values of fits to samples drawn from the first fit."""
-    scale, shape = _pareto(peaks - threshold)
-    # probability of a peak that is exceeded once in the period
-    once = recorded / (len(peaks) * years)
-    drawn = _over(scale, shape, draw.uniform(size=(count, len(peaks))))
-    counts = np.maximum(draw.poisson(len(peaks), count), 1)
-    fitted = _over(*_pareto(drawn), once * len(peaks) / counts)
-    return threshold + float(_over(scale, shape, once)), threshold + fitted
+    """Return value, and (count,) values that may be true."""
+    over = peaks - threshold
+    # numbers of peaks above the value, and above the threshold, that records of this length have on average
+    once, expected = recorded / years, draw.gamma(len(peaks) + 0.5, size=count)
+    drawn = possible(over, draw, count).over(np.minimum(once / expected, 1.0))
+    return threshold + float(fitted(over).over(once / len(peaks))), threshold + drawn
 
 
 def storms(time: NDArray[np.datetime64], values: FloatArray, a_year: float) -> tuple[FloatArray, float]:
@@ -163,22 +167,6 @@ def _gumbel(values: FloatArray) -> tuple[FloatArray, FloatArray]:
     return mean - np.euler_gamma * scale, scale
 
 
-def _pareto(over: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Scale and shape by L-moments, over the last axis; the shape is limited to -0.5 to 0.5."""
-    from scipy.stats import lmoment
-
-    mean, second = lmoment(over, order=[1, 2], axis=-1)
-    shape = np.clip(2.0 - mean / second, *SHAPES)
-    return mean * (1.0 - shape), shape
-
-
-def _over(scale: ArrayLike, shape: ArrayLike, exceeded: ArrayLike) -> FloatArray:
-    """Excess over the threshold that is exceeded with a probability."""
-    from scipy.stats import genpareto
-
-    return np.asarray(genpareto.isf(exceeded, shape, scale=scale))
-
-
-def _band(fitted: FloatArray) -> tuple[float, float]:
-    low, high = np.quantile(fitted, BAND)
+def _band(drawn: FloatArray) -> tuple[float, float]:
+    low, high = np.quantile(drawn, BAND)
     return float(low), float(high)

@@ -93,7 +93,8 @@ def _counted(
     """Workable hours from simulated headings, and from comparisons half-way between them, by index."""
     riser = parts[0].riser
     responses = [
-        response_of(p.heading.of, p.cover, p.deviation, p.scale, riser.limits, p.mesh_error) for p in parts
+        response_of(p.heading.of, p.cover, p.deviation, p.scale, riser.limits, riser.ends, p.mesh_error)
+        for p in parts
     ]
     of_parts = [(p.heading.of, p.heading.weight, one) for p, one in zip(parts, responses, strict=True)]
     known, rows = by_rows(of_parts)
@@ -106,5 +107,7 @@ def _counted(
     judged = found.among(there[known])
     hours = riser_hours(record, known & there, judged, riser.limits, error, sea)
     lines = summarise(parts, middles, hours, record, {limit.quantity.name for limit in limits})
-    history = Demands(record["time"].values[known], riser.interval / 3600.0, riser.seeds, riser.limits, found)
+    history = Demands(
+        record["time"].values[known], riser.interval / 3600.0, riser.runs, riser.seeds, riser.limits, found
+    )
     return Downtime(hours, dataset_of(file, parts, middles), lines, history)

@@ -28,8 +28,6 @@ MODES = {
     "connected": ("connected", "disconnect"),
     "disconnect": ("disconnect",),
 }
-# standard deviations of a normal distribution to both sides, for nine in ten values
-NINE_IN_TEN = 1.645
 COLUMNS = ["limit", "exceeded", "alone", "allowed", "largest", "unit", "error"]
 UNITS = ["", "%", "%", "*", "*", "", "%"]
 
@@ -57,7 +55,10 @@ class Response(NamedTuple):
     """Demands of limits, (n, limits), in sea states or in rows, in the unit of each limit's output."""
 
     demand: FloatArray  # value that nine in ten intervals do not exceed
-    off: FloatArray  # its uncertainty: error of the surface, and 1.645 standard errors by seeds
+    off: FloatArray  # its error by the surface, the mesh and headings in between
+    # ends of its band because of few seeds, in addition: towards worse and better demands
+    seeds_worse: FloatArray
+    seeds_better: FloatArray
     scale: FloatArray  # scale of its Gumbel distribution from interval to interval
 
 
@@ -69,12 +70,13 @@ class Met(NamedTuple):
     best: Flags
     demand: FloatArray
     off: FloatArray
+    seeds_worse: FloatArray
+    seeds_better: FloatArray
     scale: FloatArray
 
     def among(self, rows: Flags) -> Met:
         """The same for some rows, (n,)."""
-        limits = self.found[rows], self.worst[rows], self.best[rows]
-        return Met(*limits, self.demand[rows], self.off[rows], self.scale[rows])
+        return Met(self.found[rows], self.worst[rows], self.best[rows], *(of[rows] for of in self[3:]))
 
 
 def excess_of(demand: FloatArray, allowed: FloatArray, sides: Sequence[str]) -> FloatArray:
@@ -89,6 +91,7 @@ def response_of(
     deviation: FloatArray,
     scale_of_extremes: FloatArray,
     limits: Sequence[Limit],
+    ends: FloatArray,
     mesh_error: FloatArray | float = 0.0,
 ) -> Response:
     """The response to the sea states of a record.
@@ -98,6 +101,7 @@ def response_of(
     deviation : (n, limits) standard errors at the cover's sea states, in the unit of each limit's output; NaN
         if not known.
     scale_of_extremes : (n, limits) scales of the Gumbel distribution of extremes there.
+    ends : (2, limits) ends of the band by few seeds, worse and better, in standard errors.
     mesh_error : (limits,) change by mesh and step, relative to the allowable or the demand.
     """
     allowed = np.array([limit.allowable for limit in limits])
@@ -107,8 +111,8 @@ def response_of(
     both = np.nan_to_num(np.hstack([deviation[kept], scale_of_extremes[kept]]))
     seeds, extremes = np.hsplit(Surface(cover.states[kept], both).at(of.states), 2)
     scale = np.maximum(scale_of(allowed, cover.responses[kept]), np.abs(demand))
-    off = (cover.error + mesh_error) * scale + NINE_IN_TEN * np.abs(seeds)
-    return Response(demand, off, np.maximum(extremes, 0.0))
+    worse, better = ends[:, None, :] * np.abs(seeds)
+    return Response(demand, (cover.error + mesh_error) * scale, worse, better, np.maximum(extremes, 0.0))
 
 
 def by_rows(parts: Sequence[tuple[SeaStates, FloatArray, Response]]) -> tuple[Flags, Response]:
@@ -131,8 +135,9 @@ def met(rows: Response, limits: Sequence[Limit]) -> Met:
     """Limits that are met in rows: nominally, and with the demand changed by its uncertainty."""
     allowed = np.array([limit.allowable for limit in limits])
     excess = excess_of(rows.demand, allowed, [limit.side for limit in limits])
+    worst, best = excess + rows.off + rows.seeds_worse, excess - rows.off - rows.seeds_better
     # NaN counts as not met
-    return Met(excess <= 0.0, excess + rows.off <= 0.0, excess - rows.off <= 0.0, *rows)
+    return Met(excess <= 0.0, worst <= 0.0, best <= 0.0, *rows)
 
 
 def riser_hours(

@@ -16,7 +16,7 @@ from riserstudy.scene.limits import UNITS, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.pressures import not_in_demand
 from riserstudy.study import store
-from riserstudy.study.demand_in_sea import demand
+from riserstudy.study.demand_in_sea import demand, ends
 from riserstudy.study.departures import check_stays
 from riserstudy.study.in_sea import Sea, exposure, phases_of, values_of
 from riserstudy.study.simulate_points import attempt
@@ -97,6 +97,16 @@ class RiserResponse:
         """Duration of a run after its ramps and the start of its outputs (s), in which extremes count."""
         return exposure(self.file.resolved())
 
+    @property
+    def runs(self) -> float:
+        """Length of an interval of the record divided by the length of a run."""
+        return self.interval / self.exposure
+
+    @cached_property
+    def ends(self) -> FloatArray:
+        """Ends of the band of demands by few seeds, (2, limits): worse and better, in standard errors."""
+        return np.array([ends(limit.side, self.runs, self.seeds) for limit in self.limits]).T
+
     def seconds(self, states: FloatArray) -> float:
         """Elapsed time of a run (s), the smallest over sea states (m, 2), since the first also loads kernels.
 
@@ -121,7 +131,7 @@ class RiserResponse:
                 continue
             columns = np.array(of_seeds, float).T
             each = [
-                demand(column, limit.side, self.interval / self.exposure)
+                demand(column, limit.side, self.runs)
                 for column, limit in zip(columns, self.limits, strict=True)
             ]
             found[k] = [one.value for one in each]

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.fit_bias import error_of_scale
+from riserstudy.dataset.fit_bias import possible
 from riserstudy.dataset.limits import labels
 from riserstudy.dataset.statistics import FEWEST_SEEDS, NOT_EXCEEDED
 from riserstudy.dataset.table import Cell, Table
@@ -23,17 +23,20 @@ from riserstudy.scene.limits import UNITS, Limit
 from riserstudy.seas.return_values import (
     PEAKS_A_YEAR,
     ReturnValue,
-    refits_of_peaks,
-    refits_of_years,
+    drawn_of_peaks,
+    drawn_of_years,
     storms,
     whole_years,
 )
-from riserstudy.seas.riser_hours import NINE_IN_TEN, Met
+from riserstudy.seas.riser_hours import Met
 from riserstudy.seas.year_bands import BAND
+from riserstudy.study.demand_in_sea import scales_of
 
 FloatArray = NDArray[np.float64]
 HISTORIES = 40  # number of drawn histories of the record
-REFITS = 10  # number of refits of each history
+DRAWS = 10  # number of values that may be true, of each history
+# standard deviations of a normal distribution to both sides, for nine in ten values
+NINE_IN_TEN = 1.645
 REDUCED = -math.log(-math.log(NOT_EXCEEDED))  # reduced variate of demands
 COLUMNS = [
     *("limit", "return period", "by years", "years from", "years to"),
@@ -48,6 +51,7 @@ class Demands(NamedTuple):
 
     time: NDArray[np.datetime64]
     interval: float  # h
+    runs: float  # length of an interval divided by the length of a run
     seeds: int
     limits: Sequence[Limit]
     rows: Met
@@ -66,13 +70,12 @@ class Returned(NamedTuple):
 def returned(of: Demands, periods: Sequence[float], seed: int = 0) -> list[Returned]:
     """Return values of responses, for each limit whose extremes are known.
 
-    A band contains nine in ten fits to samples that are drawn from the fit of each history. The uncertainty
-    of the response changes all rows of a history together, by a normal distribution whose 90 % range is the
-    band of the response. The uncertainty of the scale from interval to interval has the same effect. Means
-    have no such extremes and are excluded. If the response is not known in some rows, because of failed runs,
-    these rows may have the largest responses, and the return values are NaN. ``periods``: return periods
-    (years), above 1. Raises InputError when fewer than five years are nearly complete, or the response is
-    from one seed.
+    A band contains nine in ten values that may be true by the fits to the histories. The uncertainty of the
+    response changes all rows of a history together. Errors of few seeds are drawn from the errors of such
+    fits, and other errors from a normal distribution whose 90 % range they are. Means have no such extremes
+    and are excluded. If the response is not known in some rows, because of failed runs, these rows may have
+    the largest responses, and the return values are NaN. ``periods``: return periods (years), above 1. Raises
+    InputError when fewer than five years are nearly complete, or the response is from one seed.
     """
     if of.seeds < FEWEST_SEEDS:
         few = f"from {of.seeds} run per sea state, the scatter of extremes is not known"
@@ -103,31 +106,32 @@ def _of_limit(
 ) -> Iterator[tuple[ReturnValue, ReturnValue]]:
     """Both methods by return period, for a response whose larger values are worse."""
     demand, off, scale = (values[:, number] for values in (of.rows.demand, of.rows.off, of.rows.scale))
+    above = scales_of(of.runs)
     whole = whole_years(of.time, np.ones(len(demand), bool), of.interval)
     if np.isnan(demand).any():
         yield from [(NOT_KNOWN, NOT_KNOWN)] * len(periods)
         return
-    recorded, of_scale = len(demand) * of.interval / 8766.0, error_of_scale(of.seeds)
+    recorded = len(demand) * of.interval / 8766.0
     by_years: list[list[tuple[float, FloatArray]]] = [[] for _ in periods]
     by_storms: list[list[tuple[float, FloatArray]]] = [[] for _ in periods]
     for _ in range(HISTORIES):
-        spread = scale * max(0.0, 1.0 + of_scale * draw.standard_normal())
-        middle = sign * demand + off / NINE_IN_TEN * draw.standard_normal()
-        values = middle + spread * (draw.gumbel(size=len(demand)) - REDUCED)
+        change, factor = possible(above, of.seeds, draw)
+        middle = sign * demand + off / NINE_IN_TEN * draw.standard_normal() + change * scale
+        values = middle + factor * scale * (draw.gumbel(size=len(demand)) - REDUCED)
         largest = np.array([values[rows].max() for rows in whole])
         peaks, threshold = storms(of.time, values, PEAKS_A_YEAR)
         for k, period in enumerate(periods):
-            by_years[k].append(refits_of_years(largest, period, draw, REFITS))
-            fits = refits_of_peaks(peaks, threshold, recorded, period, draw, REFITS)
-            by_storms[k].append(fits)
+            by_years[k].append(drawn_of_years(largest, period, draw, DRAWS))
+            of_peaks = drawn_of_peaks(peaks, threshold, recorded, period, draw, DRAWS)
+            by_storms[k].append(of_peaks)
     for years, peaks_over in zip(by_years, by_storms, strict=True):
         yield _joined(years), _joined(peaks_over)
 
 
-def _joined(fits: Sequence[tuple[float, FloatArray]]) -> ReturnValue:
-    """The median of all histories, and the band of all refits."""
-    low, high = np.quantile(np.concatenate([refits for _, refits in fits]), BAND)
-    return ReturnValue(float(np.median([value for value, _ in fits])), float(low), float(high))
+def _joined(of: Sequence[tuple[float, FloatArray]]) -> ReturnValue:
+    """The median of all histories, and the band of all values that may be true."""
+    low, high = np.quantile(np.concatenate([drawn for _, drawn in of]), BAND)
+    return ReturnValue(float(np.median([value for value, _ in of])), float(low), float(high))
 
 
 def _turned(of: ReturnValue, sign: float) -> ReturnValue:
