@@ -57,13 +57,13 @@ def gas(_: Files) -> Iterator[Row]:
     lift = slice(top - 100, top + 1)  # a quarter of a period, from mid-stroke
     work = float(np.trapezoid(force[lift], stroke[lift]))
     done = known.gas_work(**GAS, reach=REACH)
-    because = "the error of the trapezoidal rule over 100 outputs"
+    because = "the error of numerical integration over 100 output times"
     yield Row(
         case,
         "work from mid-stroke to the top",
         "J",
         CLOSED,
-        "integral of the pull",
+        "integral of the pull over the stroke",
         done,
         work,
         1e-5,
@@ -137,7 +137,7 @@ def morison(_: Files) -> Iterator[Row]:
             "step": "0.05 s",
         },
     }
-    by = "Morison's formula to the mean level, Airy's wave"
+    by = "Morison's formula with Airy's wave, up to the mean water level"
     because = "the error of 240 segments, which is of second order in their length"
     for name, loads, exact in (
         ("inertia", {"added_mass": {"coefficient": 1.0}}, known.pile_by_inertia(1.0, **PILE)),
@@ -177,7 +177,7 @@ def terminal(_: Files) -> Iterator[Row]:
     run = simulated(SceneFile("validation", tree)).isel(time=-1)
     speed, way = known.driven(force, drag, mass + added, time)
     case, by = "platform driven to its terminal speed", "√(F/c) tanh(t √(F c) / m)"
-    because = "the pull of the model's thin riser, a few newtons"
+    because = "the pull of the thin riser in the model, a few newtons"
     now = float(run["platform_speed_x"])
     yield Row(case, "speed after 400 s", "m/s", CLOSED, by, speed, now, 1e-5, because)
     distance = float(run["platform_surge"])

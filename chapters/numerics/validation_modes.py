@@ -43,7 +43,7 @@ def chain(_: Files) -> Iterator[Row]:
     for mode in (1, 2):
         exact = known.hanging_chain_frequency(mode, 300.0, 2700.0, 320.0)
         case, by = "hanging chain", "j₀ₙ / 2 √(w / (m L)) (Bernoulli)"
-        because = "the error of second order at the free end, where tension vanishes, and rounding"
+        because = "the mesh error, which is of second order at the free end without tension, and rounding"
         yield Row(case, f"frequency {mode}", "rad/s", CLOSED, by, exact, frequencies[mode - 1], 2e-5, because)
 
 

@@ -70,7 +70,7 @@ def decay(_: Files) -> Iterator[Row]:
     decrement = math.log(peaks[0] / peaks[5]) / 5.0
     exact = known.decrement(ratio)
     case, by = "mass on a damped spring (Kelvin, Voigt)", "2 π ζ / √(1 - ζ²)"
-    because = "the error of time steps of a 300th of the period, which is of second order"
+    because = "the error, of second order, of time steps of 1/300 of the period"
     yield Row(case, "decrement", "1", CLOSED, by, exact, decrement, 3e-4, because)
 
 
@@ -86,8 +86,8 @@ def _tops(values: NDArray[np.float64]) -> list[float]:
 
 def methods(files: Files) -> Iterator[Row]:
     """Surge by different time-stepping methods, with different steps."""
-    alike = "the time-stepping errors of both runs, with steps of 0.02 and 0.1 s"
-    lumped = "the lumped masses of the explicit method, whose error is of second order in the segments"
+    alike = "the time-stepping errors of both runs, with time steps of 0.02 and 0.1 s"
+    lumped = "the lumped masses of the explicit method, whose error is of second order in the segment length"
     for name, elements, sets, tolerances, because in (
         ("ESDIRK4", 40, {"analysis.step": "0.1 s"}, (5e-5, 2e-4), alike),
         ("explicit", 160, {"analysis.step": "0.4 ms"}, (1e-4, 2e-3), lumped),
@@ -113,7 +113,7 @@ def hermite(files: Files) -> Iterator[Row]:
     )
     one, other = _envelope(lumped), _envelope(beam)
     for quantity, unit in UNITS.items():
-        case, by = "small surge, lumped masses and finite elements", "Hermite's beam"
+        case, by = "small surge, lumped masses and finite elements", "finite elements (Hermite beam)"
         because = "the strain of 0.03 % and the slopes of 0.17°, which the beam model neglects"
         yield Row(case, quantity, unit, SECOND, by, other[quantity], one[quantity], 1e-3, because)
 
@@ -125,7 +125,7 @@ def energy(files: Files) -> Iterator[Row]:
         run = simulated(files[name], sets)
         share = float(json.loads(run.attrs["audit"])["unexplained_share"])
         case, by = f"energy of {name}", "work = stored + dissipated"
-        because = "the integration of the energies over time steps"
+        because = "the numerical integration of the energies over time"
         yield Row(case, "relative energy residual", "1", CONSERVED, by, 0.0, share, 1e-4, because, 1.0)
 
 

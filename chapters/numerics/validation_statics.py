@@ -55,7 +55,7 @@ def column(_: Files) -> Iterator[Row]:
     one, two = map(square, weights)
     vanishes = weights[1] + (weights[1] - weights[0]) * two / (one - two)
     by = "9/4 of the square of the first zero of J₋₁/₃ (Greenhill)"
-    because = "the linear extrapolation of the squared frequency to zero, over 1 % of the weight"
+    because = "the linear extrapolation of the squared frequency to zero, from 98 and 99 % of the weight"
     value = vanishes * length**3 / bending
     yield Row("column under its own weight", "w L³ / EI", "1", CLOSED, by, exact, value, 1e-4, because)
 
@@ -78,7 +78,10 @@ def own_weight(files: Files) -> Iterator[Row]:
     )
     exact = known.beam_on_varying_tension(length, top - weight * length, weight, bending, mass, 32)
     lowest = frequencies_of(file, "lateral", 1)[0]
-    case, by = ("beam under its own weight and top tension", "(EI y′′)′′ - (T y′)′ = m ω² y, Chebyshev")
+    case, by = (
+        "beam under its own weight and top tension",
+        "(EI y′′)′′ - (T y′)′ = m ω² y, by Chebyshev collocation",
+    )
     because = "the strain of the stiff pipe, 0.00006 %, and rounding of the fourth derivative"
     yield Row(case, "frequency 1", "rad/s", SECOND, by, exact, lowest, 1e-5, because)
 
@@ -104,8 +107,8 @@ def cantilever(files: Files) -> Iterator[Row]:
     length, _, bending = pipe_of(files["S4c"])
     along, across = known.elastica_tip(length, bending, 324054.15)
     tip = simulated(files["S4c"]).isel(s=-1)
-    case, by = "cantilever with a large deflection", "the elastica, by elliptic integrals"
-    because = "the stretch of the pipe, 0.004 %, which the elastica does not have"
+    case, by = "cantilever with a large deflection", "elastica (curve of a bent rod), by elliptic integrals"
+    because = "the stretch of the pipe, 0.004 %, which the elastica neglects"
     yield Row(case, "tip across", "m", CLOSED, by, across, float(tip["x"]), 1e-4, because)
     yield Row(case, "tip along", "m", CLOSED, by, along, float(tip["z"]), 1e-4, because)
 
@@ -127,7 +130,7 @@ def current(files: Files) -> Iterator[Row]:
     exact = known.rod_in_current(flow)
     profile = [{"elevation": f"{z} m", "speed": "1 m/s"} for z in (0, 600)]
     run = simulated(files["S1"], {"current.profile": profile})
-    case, by = ("static riser in a uniform current", "the rod as a boundary value problem, by collocation")
+    case, by = ("static riser in a uniform current", "boundary value problem of the rod, by collocation")
     because = "the error of 200 segments"
     x, moment = float(run["x"].max()), float(np.abs(run["bending_moment"]).max())
     yield Row(case, "displacement", "m", SECOND, by, exact.displacement, x, 1e-4, because)
