@@ -58,7 +58,7 @@ def time_read_scenes():
 
 
 def time_plan_a_study():
-    """Plan a chapter: check each of its simulations and compute its key."""
+    """Plan the simulations of a paper: check each simulation and compute its name in the store."""
     Workplan.read(ROOT / "config", {"tier": "preview", "papers": ["liu2017"]})
 
 

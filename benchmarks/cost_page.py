@@ -12,9 +12,9 @@ RESULTS = Path(__file__).with_name("cost_history.json")
 ABOUT = """\
 This page shows how the computing cost of ten typical tasks changes from version to version of riserstudy. At each release, the tasks are
 measured by `python benchmarks/cost.py --write docs/cost.md`. To compare different machines, the CPU time of each task is divided by the CPU
-time of a fixed loop, measured on the same machine. In the next table, the column of a version gives this ratio of CPU times. The last
-column of the table gives the CPU time of each task in the newest version. Each CPU time is the smallest of five repetitions. Version 1.0.0
-was measured on a busy machine, so its CPU times can be too large."""  # noqa: E501
+time of a *fixed loop*, a short calculation that never changes, on the same machine. In the next table, the column of a version gives this
+ratio of CPU times. The last column of the table gives the CPU time of each task in the newest version. Each CPU time is the smallest of
+five repetitions. Version 1.0.0 was measured on a busy machine, so its CPU times can be too large."""  # noqa: E501
 
 
 def page(results):

@@ -84,8 +84,8 @@ def test_the_page_tells_what_came_of_the_years():
     outside = {years: [o for o in came if o["years"] == years and o["inside"] == "no"] for years in "15"}
     singles = sum(one["years"] == "1" for one in came)
     first = PAGE.partition("|---|")[2].splitlines()[1]
-    assert f"{len(outside['5'])} of 5 means" in first
-    assert f"{len(outside['1'])} of {singles} single years" in first
+    assert f"{len(outside['5'])} of 5 five-year means" in first
+    assert f"{len(outside['1'])} of {singles} values of single years" in first
     calmer = sum(float(o["came"]) > float(o["high"]) for part in outside.values() for o in part)
     assert f"For {calmer} of the {sum(map(len, outside.values()))} shares" in " ".join(PAGE.split())
 

@@ -47,7 +47,7 @@ def server_of_jobs_killed(folder):
     for server in servers:
         server.kill()
     text = "".join(process.communicate())
-    return f"{len(servers)} killed, {said(process.returncode, text)}"
+    return f"{len(servers)} process killed, {said(process.returncode, text)}"
 
 
 def servers_of(run):
@@ -78,7 +78,7 @@ def broken_store(folder):
         point.write_bytes([content, content[: len(content) // 2], b""][k % 3])
     for dataset in (folder / "results").glob("*/*.nc"):
         dataset.unlink()
-    return f"{len(points)} points damaged"
+    return f"{len(points)} stored points damaged"
 
 
 def broken_kernels(folder):
@@ -103,7 +103,7 @@ def damaged_results(folder):
     for file in files:
         os.truncate(file, file.stat().st_size // 2)
     (folder / "results/bench/.s3.nc.1").write_bytes(b"half")
-    return f"{len(files)} files cut"
+    return f"{len(files)} files truncated, or left incomplete"
 
 
 def flipped_results(folder):
@@ -115,7 +115,7 @@ def flipped_results(folder):
         content[rng.randrange(len(content))] ^= 1 << rng.randrange(8)
         file.write_bytes(content)
         os.utime(file, ns=(times.st_atime_ns, times.st_mtime_ns))
-    return f"{len(files)} files, one bit each"
+    return f"{len(files)} files, one bit changed in each"
 
 
 def swapped_results(folder):
@@ -125,7 +125,7 @@ def swapped_results(folder):
     other.rename(one)
     (folder / "aside").rename(other)
     (folder / "results/.seals/report.html").unlink()
-    return "3 files"
+    return "3 files exchanged or deleted"
 
 
 def broken_records(folder):

@@ -50,26 +50,31 @@ def table(place):
             before=["runuser", "-u", GUEST, "--"],
             needs="runuser",
         ),
-        "umask": Varied("umask 077", before=["sh", "-c", 'umask 077; exec "$@"', "sh"]),
+        "umask": Varied(
+            "umask 077: only the owner can read new files", before=["sh", "-c", 'umask 077; exec "$@"', "sh"]
+        ),
         "locale": Varied(
             "locale de_DE.UTF-8, with a decimal comma",
             {"LC_ALL": "de_DE.UTF-8", "LOCPATH": f"{place}/locales"},
             needs="localedef",
         ),
-        "ASCII": Varied("locale C, UTF-8 mode off", {"LC_ALL": "C", "LANG": None, "PYTHONUTF8": "0"}),
+        "ASCII": Varied("locale C, without UTF-8 mode", {"LC_ALL": "C", "LANG": None, "PYTHONUTF8": "0"}),
         "time zone": Varied("time zone 14 hours ahead of Greenwich", {"TZ": "Pacific/Kiritimati"}),
         "path": Varied("folder name with blanks, quotes, brackets, ß and 河", folder="a 'B' [c] {d} ß 河"),
-        "no git": Varied("no git on the path", {"PATH": f"{place}/tools"}),
-        "no home": Varied("variable HOME not set", {"HOME": None}),
-        "home gone": Varied("HOME is a folder that does not exist", {"HOME": "/nowhere/at/all"}),
-        "hash seed 0": Varied("PYTHONHASHSEED=0", {"PYTHONHASHSEED": "0"}),
-        "hash seed 4711": Varied("PYTHONHASHSEED=4711", {"PYTHONHASHSEED": "4711"}),
+        "no git": Varied("the program git is not found", {"PATH": f"{place}/tools"}),
+        "no home": Varied("environment variable HOME not set", {"HOME": None}),
+        "home gone": Varied(
+            "environment variable HOME names a folder that does not exist", {"HOME": "/nowhere/at/all"}
+        ),
+        "hash seed 0": Varied("environment variable PYTHONHASHSEED=0", {"PYTHONHASHSEED": "0"}),
+        "hash seed 4711": Varied("environment variable PYTHONHASHSEED=4711", {"PYTHONHASHSEED": "4711"}),
         "one core": Varied("one core", before=["taskset", "-c", "0"], needs="taskset"),
         "memory": Varied(
             "4 GB of memory for each process", before=["prlimit", f"--as={MEMORY}"], needs="prlimit"
         ),
         "other systems": Varied(
-            "no fcntl, no os.fork, no AF_UNIX", {"PYTHONPATH": str(Path(__file__).with_name("hidden"))}
+            "without the POSIX functions fcntl, os.fork and AF_UNIX",
+            {"PYTHONPATH": str(Path(__file__).with_name("hidden"))},
         ),
     }
 
@@ -92,7 +97,9 @@ def main(place, names):
         except NotPossible as why:
             rows.append((varied.what, f"{NOT_TRIED}{why}"))
         print(*rows[-1], sep=" | ", flush=True)
-    rows.append(("no difference; largest memory of all processes together", f"{peak / 1e9:.1f} GB"))
+    rows.append(
+        ("without a changed condition: largest memory of all processes together", f"{peak / 1e9:.1f} GB")
+    )
     return rows
 
 

@@ -99,11 +99,12 @@ def effects(
 
 
 def advise(scene: SceneArgument, settings: SetOption = None) -> None:
-    """Recommend effects to remove or add, within the tolerance of a scene.
+    """Recommend effects to remove from a scene or to add to it, according to its tolerance.
 
     For each effect, the command adds or removes this effect alone, and compares displacement, bending moment
     and tension with the results of the unchanged scene. Tension is compared at the riser's upper end, and at
-    the place where it is smallest. An effect is removable if the results change by at most the tolerance.
+    the place with the smallest tension. An effect is removable if the results change by at most the
+    tolerance.
     """
     from rich.console import Console
     from rich.table import Table
@@ -148,8 +149,8 @@ def modes(
     If the scene does not prescribe a mesh, the riser has about 200 segments. The command estimates the errors
     of the frequencies from two finer meshes, with two and four times as many segments. More segments
     (``analysis.mesh.elements``) give smaller errors. The modes neglect that tensioner cylinders also resist a
-    rotation of the tension ring. The estimated errors do not include the error due to this neglect. In six
-    rigs, the resistance of the cylinders changed frequencies by 0.03 to 0.16 %.
+    rotation of the tension ring. The estimated errors do not include the error due to this neglect. For six
+    rigs, the resistance of the cylinders changed the frequencies by 0.03 to 0.16 %.
     """
     from rich.console import Console
     from rich.table import Table

@@ -33,8 +33,8 @@ def check(
 
     For each limit, the table gives the computed value, the allowable value, the utilisation, the place and
     the time. The utilisation is the computed value divided by the allowable value. For a smallest allowed
-    value above zero, it is the allowable value divided by the computed value. The first row is the governing
-    limit, which is exceeded most or is closest to being exceeded.
+    value above zero, the utilisation is the allowable value divided by the computed value. The first row is
+    the governing limit, which is exceeded most or is closest to being exceeded.
 
     The exit status is 1 if a limit is exceeded. If no limit is exceeded, but a limit could not be evaluated,
     the exit status is 4.

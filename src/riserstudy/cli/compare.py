@@ -25,7 +25,7 @@ ColumnOption = Annotated[
     list[str] | None,
     typer.Option(
         "--column",
-        help="quantity that a column holds, such as 'Line 1 Te=effective_tension at 300 m (kN)'; "
+        help="quantity in a column of OTHER.csv, such as 'Line 1 Te=effective_tension at 300 m (kN)'; "
         "may be repeated",
         metavar="NAME=HEADING",
     ),
@@ -33,9 +33,9 @@ ColumnOption = Annotated[
 EndAOption = Annotated[
     str | None,
     typer.Option(
-        help="place of end A, at which OrcaFlex's arc length is 0: top or bottom; for a line that is a "
-        "part of the riser, for example '872 m down' (872 m above the riser's lower end; arc length "
-        "increases downwards)",
+        help="place of end A, where the arc length of OrcaFlex is 0: top, bottom, or, if the line is a part "
+        "of the riser, a place such as '872 m down' (872 m above the riser's lower end, arc length increases "
+        "downwards)",
         metavar="PLACE",
     ),
 ]
@@ -53,7 +53,7 @@ def compare(
     force: ForceOption = False,
     units: UnitsOption = UnitSystem.FIELD,
 ) -> None:
-    """Compare a run with results of another program or a measurement: differences, lag, and a figure.
+    """Compare a run with results of another program or a measurement: differences, time lag, and a figure.
 
     The first column of the table OTHER.csv is `time (s)`, or the arclength `s (m)` from the riser's lower
     end. The headings of the other columns name a variable, the place along the riser and the unit, such as

@@ -50,7 +50,7 @@ BuoyancyOption = Annotated[
     typer.Option(
         min=0.0,
         max=10.0,
-        help="tolerance factor on the lift of buoyancy modules, such as 0.96; 1 if they were weighed",
+        help="tolerance factor on the lift of buoyancy modules, such as 0.96; 1 if the modules were weighed",
     ),
 ]
 FleetAngleOption = Annotated[
@@ -100,11 +100,11 @@ def tension(
 ) -> None:
     """Compute the minimum top tension, and the window (allowed range) of the tension setting.
 
-    The command computes the minimum tension by the standard formula and by simulation. In the simulation, a
-    constant tension replaces the tensioners. The upper end of the window is a share (--share) of the dynamic
-    tension limit (--dynamic-limit). The lower end of the window is the smallest setting that gives both the
-    minimum tension and the required overpull (--overpull). The exit status is 4 if the scene lacks an input
-    of the formula, such as separate weights of steel and buoyancy.
+    The command computes the minimum top tension by the formula of API RP 16Q and by simulation. In the
+    simulation, a constant tension replaces the tensioners. The upper end of the window is a share (--share)
+    of the dynamic tension limit (--dynamic-limit). The lower end of the window is the smallest setting that
+    gives both the minimum tension and the required overpull (--overpull). The exit status is 4 if the scene
+    lacks an input of the formula, such as separate weights of steel and buoyancy modules.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)
@@ -183,9 +183,10 @@ def viv(
     """Screen a riser in a current for vortex-induced vibration: modes, lock-in regions, amplitudes, drag.
 
     The screening uses the natural modes about the static equilibrium, and does not simulate over time. Each
-    mode is treated as if it vibrated alone. At the predicted amplitude, lift supplies as much power as drag
-    removes. The command prints this amplitude divided by the diameter. The Strouhal number changes neither
-    the lock-in regions nor the amplitudes.
+    mode is treated as if it vibrated alone. In the lock-in region of a mode, vortices follow the vibration.
+    At the predicted amplitude, their lift supplies as much power as drag removes. The command prints this
+    amplitude divided by the diameter. The Strouhal number changes neither the lock-in regions nor the
+    amplitudes. In the options, U is the current speed, f a frequency, D the diameter, and A the amplitude.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv, plot)

@@ -43,8 +43,10 @@ def recoil(
 ) -> None:
     """Simulate an emergency disconnect: overpull, lift, clearance, re-contact, strokes, mud velocity.
 
-    The exit status is 2 if the scene has no disconnect before the end of its run. The exit status is 4 if
-    the smallest clearance could not be evaluated.
+    The overpull is the effective tension between LMRP and BOP at the disconnect. The lift is the height of
+    the LMRP above the BOP, and the clearance is the smallest lift after its first maximum. The exit status is
+    2 if the scene has no disconnect before the end of its run. The exit status is 4 if the smallest clearance
+    could not be evaluated.
     """
     file = scene_of(scene, settings, accuracy)
     check_targets(file.files, force, csv, output=output)
@@ -90,9 +92,9 @@ def watch_circles(
 ) -> None:
     """Simulate a drift-off or a drive-off: the time at which each limit is reached, and the watch circles.
 
-    The scene must have a `vessel` or a platform with `cruise`. If the scene has both a `vessel` and a
-    `platform`, the command adds the motions of the `platform` in waves to the drift of the `vessel`. The exit
-    status is 4 if a limit could not be evaluated.
+    The scene must have a `vessel`, or a `platform` with the key `cruise`. If the scene has both a `vessel`
+    and a `platform`, the command adds the motions of the `platform` in waves to the drift of the `vessel`.
+    The exit status is 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings, accuracy)
     check_targets(file.files, force, csv, output=output)

@@ -80,8 +80,8 @@ HoldBackOption = Annotated[
 VaryOption = Annotated[
     list[str] | None,
     typer.Option(
-        help="print only a table of the workable hours, for this value of the scene, such as "
-        "platform.position.surge='5 m'; may be repeated; each value gives one row per mode",
+        help="print only a table of workable hours, with one row per mode of the limits, for this value of "
+        "the scene, such as platform.position.surge='5 m'; may be repeated",
         metavar="PATH=VALUE",
     ),
 ]
@@ -109,8 +109,8 @@ ErrorOption = Annotated[
     typer.Option(
         min=0.001,
         max=0.5,
-        help="tolerance on the interpolated response, as a fraction of the allowable, or of the response if "
-        "that is larger; default: 0.05",
+        help="tolerance on the interpolated response, as a fraction of the allowable value, or of the "
+        "response if the response is larger; default: 0.05",
     ),
 ]
 MostOption = Annotated[

@@ -51,7 +51,9 @@ GammaOption = Annotated[
 ]
 CalmOption = Annotated[
     bool,
-    typer.Option("--calm", help="treat heights and periods below the lowest simulated value as this value"),
+    typer.Option(
+        "--calm", help="treat wave heights and periods below the lowest simulated value as this value"
+    ),
 ]
 WithoutOption = Annotated[
     Path | None,
@@ -91,7 +93,8 @@ def fatigue(
 
     For each fatigue detail, the table gives the place with the largest damage, and the damage at this place
     without and with the safety factor. A second table lists the sea states that cause half of the damage of
-    the governing detail. The command refuses sea states outside the simulated range.
+    the governing detail, which has the largest damage with its safety factor. The command refuses sea states
+    outside the simulated range.
     """
     reads = [path for path in (study, scatter, seas, without) if path]
     check_targets(reads, force, csv, plot)

@@ -56,7 +56,7 @@ def operability(
     """Compute the static offset range within which each limit is met.
 
     For each limit, the table gives the allowable value, the allowance for waves (if given by --allowance),
-    and the offsets. The exit status is 4 if a limit could not be evaluated.
+    and the offset range. The exit status is 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings)
     require_limits(file)
@@ -101,7 +101,7 @@ def envelope(
         str | None,
         typer.Option(
             help="duration of the storm for which allowances are computed, such as '3 h'; requires --sea; "
-            "default: that of a run after its ramps",
+            "default: duration of a run after its ramps",
             metavar="TIME",
         ),
     ] = None,
@@ -113,11 +113,11 @@ def envelope(
 
     At each offset, the command computes the static equilibrium. To include a sea, the command adds an
     allowance to the static value of each output. If the limit is a smallest allowed value, the command
-    subtracts the allowance instead. The allowance is the change due to waves that nine of ten random
-    realisations of the sea do not exceed. The command computes the allowance by simulations in the sea and
-    in each current, at the offset of the scene. It applies to seas as long as a simulation after its ramps,
-    or as --exposure states. Limits on mean values have no allowance. The exit status is 4
-    if a limit could not be evaluated.
+    subtracts the allowance instead. In nine of ten random realisations of the sea, the change due to waves
+    does not exceed the allowance. The command computes the allowance by simulations in the sea and in each
+    current, at the offset of the scene. The allowance applies to a sea that lasts as long as a simulation
+    after its ramps, or as long as --exposure states. Limits on mean values have no allowance. The exit status
+    is 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)

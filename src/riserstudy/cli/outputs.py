@@ -59,7 +59,7 @@ def plot(
     force: ForceOption = False,
     units: UnitsOption = UnitSystem.FIELD,
 ) -> None:
-    """Plot one run: extremes along the riser with its limits, time series, or the shape of the riser."""
+    """Plot one run: extremes along the riser with the limits, time series, or the shape of the riser."""
     from riserstudy.dataset.open import open_dataset
     from riserstudy.dataset.place import complete, place
     from riserstudy.figures import save
@@ -103,8 +103,9 @@ def table(
 ) -> None:
     """Write a table as CSV: stack-up, extremes, time series, limits, recoil; or all tables as a workbook.
 
-    The input is a scene or the dataset of a run. A scene is simulated first, except for the stack-up.
-    Workbooks (OUT.xlsx) require `pip install "riserstudy[workbook]"`.
+    The input is a scene or the dataset of a run. The stack-up lists the riser sections of the scene; for all
+    other tables, a scene is first simulated. Workbooks (OUT.xlsx) require `pip install
+    "riserstudy[workbook]"`.
     """
     from riserstudy.dataset import tables, workbook
 
@@ -157,7 +158,7 @@ def statistics(
         Path, typer.Option("-o", "--output", help="table to write", metavar="OUT.csv"), Writes("table")
     ],
     start: Annotated[
-        str, typer.Option(help="leave out times before this one, such as '200 s'", metavar="TIME")
+        str, typer.Option(help="leave out times before this time, such as '200 s'", metavar="TIME")
     ] = "0 s",
     exposure: Annotated[
         str | None,

@@ -41,7 +41,8 @@ def results(
     where: Annotated[
         str | None,
         typer.Option(
-            help="list only points for which this is true, such as 'heave_amplitude > 3'", metavar="CONDITION"
+            help="list only points for which this condition is true, such as 'heave_amplitude > 3'",
+            metavar="CONDITION",
         ),
     ] = None,
     columns: Annotated[str | None, typer.Option(help="columns to show", metavar="A,B,...")] = None,

@@ -44,7 +44,7 @@ GammaOption = Annotated[
 NearOption = Annotated[
     str | None,
     typer.Option(
-        help="in a netCDF file with several locations, use the one nearest to this position",
+        help="in a netCDF file with several locations, use the location nearest to this position",
         metavar="'LAT, LON'",
     ),
 ]
@@ -53,7 +53,8 @@ ContourOption = Annotated[
     typer.Option(
         min=1,
         max=10000,
-        help="return period of a contour of height and period, in years; requires the package virocon",
+        help="return period, in years, of a contour (curve of extremes) of wave height and "
+        "period; requires the package virocon",
         metavar="YEARS",
     ),
 ]
@@ -85,8 +86,8 @@ def seas(
 ) -> None:
     """Read a record of sea states, summarise it, and write it as a netCDF dataset.
 
-    The command lists gaps and never fills them. A CSV file has a header such as ``time,hs (m),tp (s)``;
-    its times are in UTC.
+    The command lists gaps in the record and never fills them. A CSV file has a header such as ``time,hs
+    (m),tp (s)``; its times are in UTC.
     """
     if (record is None) == (synthetic is None):
         why = "missing" if record is None else "given together with --synthetic"

@@ -42,7 +42,7 @@ def run(
         typer.Option(
             "-o",
             "--output",
-            help="dataset to write (netCDF), or CSV table: time series, or extremes if the run is static",
+            help="dataset to write (netCDF), or CSV table of time series (of a static run: extremes)",
             metavar="OUT.nc",
         ),
         Writes("dataset", "table"),

@@ -22,7 +22,9 @@ def tune(
     studies: Annotated[Path, typer.Argument(help="study file (YAML)", metavar="STUDY.yaml")],
     study: Annotated[
         str | None,
-        typer.Argument(help="study to tune; may be omitted if the file has only one", metavar="[STUDY]"),
+        typer.Argument(
+            help="study to tune; may be omitted if the file has only one study", metavar="[STUDY]"
+        ),
     ] = None,
     accuracy: Annotated[
         str | None,
