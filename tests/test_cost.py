@@ -79,7 +79,7 @@ def test_what_the_page_says_of_the_history_is_what_was_measured(cost_page):
     change = {task: round(100.0 * (newest[task] / first[task] - 1.0)) for task in first}
     for task in ("plane", "line", "statics"):
         assert f"{change[task]} %" in about
-    assert f"cost {-change['by_request']} % less" in about
+    assert f"decreased by {-change['by_request']} %" in about
     assert results["load"][0] > 2.0
     assert "busy" in results["about"]
 

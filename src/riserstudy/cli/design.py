@@ -184,9 +184,10 @@ def viv(
 
     The screening uses the natural modes about the static equilibrium, and does not simulate over time. Each
     mode is treated as if it vibrated alone. In the lock-in region of a mode, vortices follow the vibration.
-    At the predicted amplitude, their lift supplies as much power as drag removes. The command prints this
-    amplitude divided by the diameter. The Strouhal number changes neither the lock-in regions nor the
-    amplitudes. In the options, U is the current speed, f a frequency, D the diameter, and A the amplitude.
+    At the predicted amplitude, the lift of the vortices supplies as much power as drag removes. The command
+    prints the predicted amplitude divided by the diameter. The Strouhal number changes neither the lock-in
+    regions nor the amplitudes. In the options, U is the current speed, f a frequency, D the diameter, and A
+    the amplitude.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv, plot)

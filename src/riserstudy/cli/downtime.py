@@ -159,8 +159,8 @@ def downtime(
 
     For future years, the command predicts a range of workable hours from the hours in each whole year of the
     record, by Student's t-distribution. The option --persistence sets how similar consecutive years are. A
-    gap in the record ends a weather window. If a gap is before the start of the next weather window, only a
-    lower bound of the waiting time is known.
+    weather window is an uninterrupted period of workable hours; a gap in the record ends it. If a gap is
+    before the start of the next weather window, only a lower bound of the waiting time is known.
 
     With the option --scene, an hour is workable only if the limits of the scene are also met. The command
     then simulates the riser in some sea states of the record, and interpolates the response of the riser

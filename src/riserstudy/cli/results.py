@@ -262,7 +262,7 @@ def diff(
 ) -> None:
     """List the changes between two sets of results: published numbers, verdicts, every dataset.
 
-    The exit status is 1 if anything changed.
+    The exit status is 1 if any result changed.
     """
     from rich.console import Console
     from rich.table import Table
