@@ -35,7 +35,11 @@ StudyArgument = Annotated[
     ),
 ]
 ScatterOption = Annotated[
-    Path | None, typer.Option(help="scatter table, with columns hs (m),tp (s),share (%)", metavar="TABLE.csv")
+    Path | None,
+    typer.Option(
+        help="scatter table (share of time of each sea state), with columns hs (m),tp (s),share (%)",
+        metavar="TABLE.csv",
+    ),
 ]
 SeasOption = Annotated[
     Path | None, typer.Option(help="record of sea states, instead of a scatter table", metavar="RECORD")
