@@ -34,8 +34,8 @@ the riser start at its lower end.
 
 Every value of a scene has an origin, which states where the value comes from. If the scene has the key
 `paper`, a value without a stated origin is *published*: the paper prints it. In a scene without the key
-`paper`, a value without a stated origin is *given*: you know it. Write any other origin together with the
-value, as in these examples:
+`paper`, a value without a stated origin is *given*: you know it. Write an origin other than *published* or
+*given* together with the value, as in these examples:
 
 ```yaml
 count: {assumed: 6, options: [6, 7], because: "six make the pull that the paper states"}
@@ -50,7 +50,7 @@ values. A study (a set of simulations) can vary all assumed values with a `range
 time. A *calibrated* value was fitted to a published number. A *derived* value was computed from other values.
 A *chosen* value does not describe the riser; examples are the datum of elevations and the output interval.
 For each paper, a file in `config/published` can contain a list `inputs`, which names the values that the
-paper prints. In a scene of this paper, every value without a stated origin must be in this list.
+paper prints. In a scene of this paper, every value without a stated origin must be in the list `inputs`.
 
 You can give a table as a CSV file in the folder of the scene file, for example `profile: {file:
 current.csv}`. The first line of the CSV file gives the names of the columns with their units, in any order.
@@ -63,8 +63,8 @@ phase, for example `heave_phase`.
 
 An editor that supports JSON schemas (descriptions of allowed keys and values) can complete and check scene
 files. The command `riserstudy schema` prints the schema,
-[`scene.schema.json`](../workflow/schemas/scene.schema.json). To use this schema, write the following comment
-in the first line of a scene file. The path in this comment is relative to the folder of the scene file.
+[`scene.schema.json`](../workflow/schemas/scene.schema.json). To use the schema, write the following comment
+in the first line of a scene file. The path in the comment is relative to the folder of the scene file.
 
 ```yaml
 # yaml-language-server: $schema=../../../workflow/schemas/scene.schema.json
@@ -97,8 +97,8 @@ UNITS = """\
 ## Units
 
 A unit is a product or a quotient of names, with powers, for example `kN*m/deg`, `lb/ft` or `m^2`. The
-following table lists the usual unit names, grouped by SI unit. A scene can also contain other unit names of
-the Python library pint. A pressure requires the word `absolute` or `gauge` after its unit; a modulus or a
+following table lists the usual unit names, grouped by SI unit. A scene can also contain other units that the
+Python library pint knows. A pressure requires the word `absolute` or `gauge` after its unit; a modulus or a
 stress does not require this word. The name `t` is a tonne, `short_ton` is 2000 lb, and `gal` is a US gallon.
 A barrel (`bbl`) is 42 US gallons. The names `t` and `lb` are units of mass; `tf` (tonne-force), `lbf` and
 `kip` are units of force. The engine refuses the name `ton`, because it can mean 1000 kg, 2000 lb or 2240 lb.

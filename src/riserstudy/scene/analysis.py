@@ -47,7 +47,7 @@ class Mesh(Strict):
 class GeneralisedAlpha(Strict):
     """Implicit time integration (generalised-alpha) with the spectral radius rho_inf at high frequency.
 
-    If ``rho_inf`` is 1, the method itself dissipates no energy. With a smaller value, the method damps
+    If ``rho_inf`` is 1, the method itself dissipates no energy. With a smaller ``rho_inf``, the method damps
     motions that are too fast for the time step.
     """
 
@@ -99,8 +99,8 @@ class Analysis(Strict):
     default method is ESDIRK4. The default solver uses lumped masses; ``solver: hermite`` uses beam elements
     for small slopes. Newton's iteration (the solution of nonlinear equations in each time step) ends when the
     correction of positions is smaller than ``newton_tolerance`` times the length of the riser. The default of
-    ``newton_tolerance`` is 1e-9. A smaller value also reduces the limit for corrections of moments, by the
-    same factor.
+    ``newton_tolerance`` is 1e-9. A smaller ``newton_tolerance`` also reduces the limit for corrections of
+    moments, by the same factor.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None

@@ -41,18 +41,18 @@ class Body(Strict):
 
     Give the submerged weight of the body, or give its displaced volume or the density of its material. From
     the volume or the density, the engine computes the submerged weight with the mass and gravity. If the end
-    of the unstretched riser with the body is at or above the water surface, the computed weight is the weight
-    in air. Weight, drag and added mass of the body are zero if they are not given. In waves, the accelerating
-    water exerts a force on the body, in proportion to the sum of the mass of displaced water and the added
-    mass. If the displaced volume of the body is not given, the engine computes it from mass and
+    of the unstretched riser with the body is at or above the water surface, the computed weight of the body
+    is its weight in air. Weight, drag and added mass of the body are zero if they are not given. In waves,
+    the accelerating water exerts a force on the body, in proportion to the sum of the mass of displaced water
+    and the added mass. If the displaced volume of the body is not given, the engine computes it from mass and
     ``submerged_weight``. Without ``centre_below``, the body is a point at the riser's end. The key
     ``centre_below`` is the distance from the riser's lower end down to the centre of the body. With
     ``centre_below``, the body turns rigidly with the riser's lower end. The key ``rotary_inertia``, by
     default zero, is the moment of inertia about axes through the body's centre that are perpendicular to the
     riser. With ``centre_below``, the engine represents the body by two point masses: one at the riser's lower
-    end, and one below the riser, at the body's centre of percussion. The arclengths in results then start at
-    the centre of percussion. The arclengths of ``stations`` in ``analysis.output`` still start at the riser's
-    lower end.
+    end, and one below the riser, at the body's centre of percussion. With ``centre_below``, the arclengths in
+    results start at this centre of percussion. The arclengths of ``stations`` in ``analysis.output`` still
+    start at the riser's lower end.
     """
 
     name: str
@@ -249,11 +249,11 @@ class Top(Strict):
     body are absent if they are not given. With ``held_at_tension``, the engine holds the top at the height at
     which the vertical component of the pull on the static riser equals the given force. If there is a body at
     the top, the pull just below the body equals the given force of ``held_at_tension``. In the computation of
-    this height, the platform is in its position in calm water, and the current has its full speed. With ``x:
-    platform``, or with ``x: vessel`` and a ``platform`` in the scene, a flex joint or clamp (``rotation:
-    fixed``) at the top rotates with the platform. With a telescopic joint, the top is the upper end of the
-    joint, and ``tension``, ``tensioners``, ``lateral_force`` and ``body`` are at the tension ring, below the
-    joint.
+    the height for ``held_at_tension``, the platform is in its position in calm water, and the current has its
+    full speed. With ``x: platform``, or with ``x: vessel`` and a ``platform`` in the scene, a flex joint or
+    clamp (``rotation: fixed``) at the top rotates with the platform. With a telescopic joint, the top is the
+    upper end of the joint, and ``tension``, ``tensioners``, ``lateral_force`` and ``body`` are at the tension
+    ring, below the joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

@@ -115,13 +115,14 @@ class Detail(Strict):
 
     The key ``at`` gives the sections of the riser with this detail, in the same form as the key ``at`` in
     ``limits``. By default, all sections have the detail. The key ``face`` selects the inner or outer face of
-    the wall. The engine computes the stress due to wall tension and bending at this face. For a detail at one
-    end of a section, give ``stress_per_moment`` instead of ``face``. The key ``stress_per_moment`` is the
-    stress in the detail divided by the bending moment at this end. For example, ``stress_per_moment: 0.02
-    MPa/kN/m`` means 0.02 MPa for each kN m. With ``stress_per_moment``, the stress due to tension is
-    neglected. The engine multiplies the computed nominal stress by ``stress_concentration``. The default of
-    ``thickness`` is the wall thickness of the section; with ``stress_per_moment``, you must give
-    ``thickness``. The factored damage is the damage times ``safety_factor``.
+    the wall. The engine computes the stress due to wall tension and bending at the selected face. For a
+    detail at one end of a section, give ``stress_per_moment`` instead of ``face``. The key
+    ``stress_per_moment`` is the stress in the detail divided by the bending moment at this end of the
+    section. For example, ``stress_per_moment: 0.02 MPa/kN/m`` means 0.02 MPa for each kN m. With
+    ``stress_per_moment``, the stress due to tension is neglected. The engine multiplies the computed nominal
+    stress by ``stress_concentration``. The default of ``thickness`` is the wall thickness of the section;
+    with ``stress_per_moment``, you must give ``thickness``. The factored damage is the damage times
+    ``safety_factor``.
     """
 
     name: Annotated[str, Field(min_length=1)]
@@ -157,8 +158,8 @@ class Fatigue(Strict):
 
     The key ``angles`` is the number of places around the wall for which the engine computes damage. The first
     of these places is on the side of the positive x axis. Between two neighbouring places, the damage can be
-    larger than at these two places, by a factor of at most cos(pi / angles)^-m. The number m is the exponent
-    of the S-N curve.
+    larger than at these two places, by a factor of at most cos(pi / angles)^-m, with the exponent m of the
+    S-N curve.
     """
 
     angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]

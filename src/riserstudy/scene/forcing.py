@@ -102,10 +102,10 @@ P = TypeVar("P", bound=Instant)
 class TimeSeries(Strict, Generic[P]):
     """A platform motion as a cubic spline through points, listed here or in a CSV table ``{file: name.csv}``.
 
-    Before the first point, the platform motion has the value of this point; after the last point, it keeps
-    the last value. If one interval between points is much longer than its neighbours, the spline can exceed
-    the values of all points. The engine refuses a spline that exceeds all points by more than half of their
-    range. If all values of a sway, roll or yaw are zero, no simulation in three dimensions is required.
+    Before the first point and after the last point, the platform keeps the value of this point. If one
+    interval between points is much longer than its neighbours, the spline can exceed the values of all
+    points. The engine refuses a spline that exceeds all points by more than half of the range of the points.
+    If all values of a sway, roll or yaw are zero, no simulation in three dimensions is required.
     """
 
     points: Annotated[list[P], Field(min_length=4)]
@@ -133,8 +133,8 @@ class Position(Strict):
 class Centre(Strict):
     """Position of the platform's centre of rotation with the platform at rest.
 
-    Without x and y, the centre is vertically above the well, even if the riser's top has an ``offset``. If
-    the platform has an offset, x is therefore usually equal to this offset. The key ``position`` of the
+    Without x and y, the centre is vertically above the well, even if the riser's top has an ``offset``.
+    Therefore, if the platform has an offset, usually give x equal to this offset. The key ``position`` of the
     platform also moves the centre.
     """
 
@@ -251,7 +251,7 @@ def _within_a_turn(name: str, angle: float | None) -> None:
 
 
 class Shape(Strict):
-    """A current profile by a formula, from the seabed to the surface, with the speed ``surface_speed`` there.
+    """A current profile by a formula, from the seabed to the surface, with the speed at the surface.
 
     The relative speed is the speed divided by ``surface_speed``. With ``shape: power``, the relative speed is
     (height above the seabed / water depth)^power. With ``shape: exponential``, the relative speed is
@@ -304,8 +304,8 @@ class Current(Strict):
     default) or comes from (``from``). The key ``headings`` also applies to the ``direction`` of points of the
     profile. Give a ``direction`` at all points of the profile, or at no point. If the direction varies, the
     engine interpolates the x and y components of the velocity linearly between points. The key ``beyond`` is
-    required if the profile does not cover the whole riser. Outside the elevations of the profile, its end
-    values apply (``hold``), or the water is still (``zero``).
+    required if the profile does not cover the whole riser. Outside the elevations of the profile, the current
+    has the speed at the nearest end of the profile (``hold``), or the water is still (``zero``).
     """
 
     profile: Annotated[list[Point], Field(min_length=2)] | Shape | WindDrift | Combined

@@ -51,8 +51,8 @@ class Limit(Strict):
     magnitude, and the engine refuses the key ``smallest`` and negative allowed values. The key ``at`` gives
     the place: a section (its name), or an end of a section (``lower end of`` or ``upper end of``, followed by
     the name). For a group of consecutive sections, give the names of the lowest and the highest section
-    (``[lowest, highest]``). By default, a limit applies to the whole riser. For tension and stress, the
-    default excludes the stack and the conductor below the flex joint. A disconnect opens the lower flex
+    (``[lowest, highest]``). By default, a limit applies to the whole riser. For tension and stress, the whole
+    riser does not include the stack and the conductor below the flex joint. A disconnect opens the lower flex
     joint, so a limit on the angle of this joint applies only until the disconnect. The allowable value can
     have an origin, like any other value of a scene.
     """

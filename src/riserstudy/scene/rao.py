@@ -113,10 +113,11 @@ class Response(Strict):
     RAOs at a missing heading. With ``symmetry: sides``, the RAOs are mirrored in the x-z plane. With
     ``symmetry: sides and ends``, the RAOs are also mirrored in the y-z plane. The key ``beyond`` defines the
     response to waves with periods outside the range of the RAOs. With ``hold``, the engine uses the RAOs at
-    the nearest end of the range; with ``zero``, the platform does not respond to these waves. By default
-    (``refuse``), the engine refuses such waves. A warning states the share of the wave energy at periods
-    outside the range. By default, the platform responds to the wave of the scene, without a ramp, in all
-    motions for which the table gives RAOs. A wave that is given in ``response`` travels along x by default.
+    the nearest end of the range; with ``zero``, the platform does not respond to waves outside the range. By
+    default (``refuse``), the engine refuses waves outside the range. A warning states the share of the wave
+    energy at periods outside the range. By default, the platform responds to the wave of the scene, without a
+    ramp, in all motions for which the table gives RAOs. A wave that is given in ``response`` travels along x
+    by default.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]

@@ -219,24 +219,23 @@ class Section(Strict):
     computes both stiffnesses. A section without bending stiffness is a string: it carries no bending moment.
     Give the mass, or ``wall_density``, from which the engine computes the mass. If neither key is given, the
     mass is zero. If at least one section has a shear modulus, the torsion of the riser resists the yaw of a
-    vessel, and sections without a shear modulus are rigid in torsion. All other properties that are not
-    given, such as drag, added mass and contents, are zero or absent.
+    vessel, and sections without a shear modulus are rigid in torsion. Other properties that are not given,
+    such as drag and contents, are zero or absent.
 
     The key ``submerged_weight`` is the weight of the pipe with everything fixed to it, minus the weight of
     the water that the *outer* surface displaces. The key ``submerged_weight`` does not include the weight of
-    ``contents``. An example is a bare steel pipe with an outer diameter of 21 in, an inner diameter of 19 in
-    and a mass of 318.2 kg/m. In sea water of 1025 kg/m^3, with a gravity of 9.81 m/s^2, the submerged weight
-    of this pipe is 874.7 N/m. If the pipe is full of mud of 1200 kg/m^3, the key ``contents`` adds 2153.4 N/m
-    to this weight. There are two ways to describe this pipe if it is full of sea water: a
-    ``submerged_weight`` of 874.7 N/m with ``contents`` of 1025 kg/m^3, or a ``submerged_weight`` of 2714.1
-    N/m, which includes 1839.4 N/m of water inside the pipe, without ``contents``. If a section has no
-    ``submerged_weight``, the engine computes it from the mass, the diameters, gravity and the density of the
-    water. A section without ``submerged_weight`` must therefore have an inner diameter and ``contents``;
-    otherwise the engine refuses the scene. For a section that is wholly above the water, ``submerged_weight``
-    is the weight in air. If a section crosses the water surface, and has no ``submerged_weight``, or has
-    ``modules`` or ``lines``, the engine divides it at the surface. In results, the part above the water is
-    named ``<name>, above water``. Because the part above the water displaces no water, the engine adds the
-    weight of the displaced water (by the outer diameter) to a given ``submerged_weight``.
+    ``contents``. For example, a bare steel pipe (outer diameter 21 in, inner diameter 19 in, mass 318.2 kg/m)
+    has a submerged weight of 874.7 N/m in sea water of 1025 kg/m^3, with a gravity of 9.81 m/s^2. If the
+    example pipe is full of mud of 1200 kg/m^3, the key ``contents`` adds 2153.4 N/m. If the example pipe is
+    full of sea water, give 874.7 N/m with ``contents`` of 1025 kg/m^3, or give 2714.1 N/m (which includes
+    1839.4 N/m of water inside) without ``contents``. If a section has no ``submerged_weight``, the engine
+    computes it from the mass, the diameters, gravity and the density of the water. A section without
+    ``submerged_weight`` must therefore have an inner diameter and ``contents``; otherwise the engine refuses
+    the scene. For a section that is wholly above the water, ``submerged_weight`` is the weight in air. If a
+    section crosses the water surface, and has no ``submerged_weight``, or has ``modules`` or ``lines``, the
+    engine divides it at the surface. In results, the part above the water is named ``<name>, above water``.
+    Because the part above the water displaces no water, the engine adds the weight of the displaced water (by
+    the outer diameter) to a given ``submerged_weight``.
 
     The key ``buoyancy_lift``, the net lift of buoyancy modules in water, has no effect on the simulation,
     because ``submerged_weight`` already includes the lift. Only the minimum tension formula of the command
@@ -245,8 +244,9 @@ class Section(Strict):
 
     If a section has ``modules`` or ``lines``, its given mass, weight and stiffness refer to the pipe alone.
     The engine adds the mass, weight and stiffness of modules and lines. If a scene has ``modules``, the
-    engine computes ``buoyancy_lift`` from the lift of the modules, and sets it to zero in sections without
-    modules. The diameters in ``drag`` and ``added_mass`` apply to pipe, modules and lines together.
+    engine computes ``buoyancy_lift`` from the lift of the modules; in sections without modules,
+    ``buoyancy_lift`` is zero. The diameters in ``drag`` and ``added_mass`` apply to pipe, modules and lines
+    together.
     """
 
     name: str

@@ -88,7 +88,7 @@ class IrregularSea(Storm, Wave):
 
     The key ``components`` is the number of regular waves in the sum. The key ``seed`` selects one set of
     random phases. By default, the waves travel along x, and act from t = 0 without a ramp, on a riser in
-    static equilibrium. The key ``above_mean_level`` has the same meaning as for a regular wave.
+    static equilibrium. The key ``above_mean_level`` has the same meaning as in the section RegularWave.
     """
 
 

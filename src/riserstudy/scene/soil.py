@@ -108,7 +108,7 @@ class SoilDamping(DampingAtPeriod):
     cycle with the period ``at_period`` and the amplitude ``at_displacement``, a dashpot dissipates 4 pi
     ``ratio`` times the elastic energy of its soil spring, computed with the secant stiffness of the spring.
     Choose ``at_period`` close to the period of motion. At longer periods, a dashpot dissipates less energy
-    per cycle; real soil dissipates the same energy.
+    per cycle, whereas the energy per cycle of real soil does not decrease.
     """
 
     at_displacement: Annotated[u.Length, POSITIVE] | None = None

@@ -19,9 +19,9 @@ class Chamber(Strict):
     """Gas on one side of a tensioner piston: the area on which it acts, and its state at mid-stroke.
 
     The engine converts a gauge pressure to an absolute pressure. The key ``outside`` is the external
-    pressure, which acts on ``area`` against the gas. By default, this external pressure is the atmospheric
-    pressure if ``pressure`` is a gauge pressure. If ``pressure`` is absolute, ``outside`` is zero by default,
-    because some published tensioner formulas neglect the external pressure.
+    pressure, which acts on ``area`` against the gas. By default, ``outside`` is the atmospheric pressure if
+    ``pressure`` is a gauge pressure. If ``pressure`` is absolute, ``outside`` is zero by default, because
+    some published tensioner formulas neglect the external pressure.
     """
 
     area: Annotated[u.Area, POSITIVE]
@@ -68,8 +68,8 @@ class TwoChamberGas(Strict):
     """Two gas chambers per tensioner cylinder.
 
     The gas at high pressure pulls the tension ring up. The low-pressure gas and the weight of the pistons act
-    against this pull. The pull of the cylinder is the difference between the force of the high-pressure gas
-    and these two opposing forces.
+    against this pull. The pull of the cylinder is the force of the high-pressure gas minus the force of the
+    low-pressure gas and the weight of the pistons.
 
     Without ``pistons``, the weight and the mass of the pistons are zero.
     """

@@ -28,9 +28,9 @@ class Carried(Strict):
     """Linear law of the tensioners, computed from the suspended weight; it replaces the key ``linear``.
 
     At mid-stroke, the working cylinders together carry the submerged weight of riser, contents and bodies.
-    The pull of inclined cylinders is larger than this weight, because only the vertical part of the pull
-    carries it. The stiffness is the pull at mid-stroke divided by ``doubles_over``, the extension at which
-    the pull would be twice as large.
+    The pull of inclined cylinders is larger than the suspended weight, because only the vertical part of the
+    pull carries this weight. The stiffness is the pull at mid-stroke divided by ``doubles_over``, the
+    extension at which the pull would be twice as large.
     """
 
     doubles_over: Annotated[u.Length, POSITIVE]
