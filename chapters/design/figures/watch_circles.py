@@ -16,6 +16,8 @@ from riserstudy.figures.style import GREY, headline, legend_below, panel_title, 
 
 RED, YELLOW = "#d62728", "#b38600"
 STYLES = (":", "-", "--")
+LOWEST = -5.0  # m, end of the axis: a radius of zero is seen above the frame
+ROW = 8.0  # m, height of a row of crosses below zero
 
 
 def watch_circles(watch_circles: xr.Dataset) -> Figure:
@@ -26,6 +28,7 @@ def watch_circles(watch_circles: xr.Dataset) -> Figure:
     for ax in spare:
         ax.remove()
     lines: list[list[Line2D]] = []  # of each panel
+    rows = 0  # of crosses
     for ax, mud in zip(axes, muds, strict=True):
         at = watch_circles.sel(mud_weight=mud)
         speed = at["surface_speed"]
@@ -35,14 +38,12 @@ def watch_circles(watch_circles: xr.Dataset) -> Figure:
                 one = at.sel(eds_time=eds)
                 radius = one[f"{name}_circle_radius"]
                 lines[-1] += ax.plot(speed, radius, style, color=colour, label=f"{name}, {eds:g} s")
-                late = one[f"{name}_circle_outcome"] == TOO_LATE
-                if bool(late.any()):
-                    ax.plot(speed, radius.where(late), "x", color=colour, markersize=6, clip_on=False)
+        rows = max(rows, _late(ax, at))
         ax.set_xlabel("surface current speed (m/s)")
         ax.set_ylabel("offset at alarm (m)")
         ax.sharey(axes[0])
-        ax.set_ylim(bottom=-5.0)  # a radius of zero is seen above the frame
         panel_title(ax, f"mud density {mud:g} kg/m³")
+    axes[0].set_ylim(bottom=LOWEST - ROW * rows)
     _plan(plan, watch_circles)
     looks: tuple[tuple[str, dict[str, Any]], ...] = (
         ("red alarm, by time to disconnect", {"color": RED}),
@@ -58,6 +59,24 @@ def watch_circles(watch_circles: xr.Dataset) -> Figure:
     for ax in axes:
         ax.set_xlim(left, right)
     return figure
+
+
+def _late(ax: Axes, circles: xr.Dataset) -> int:
+    """Mark currents in which an alarm is too late, a row below zero for each alarm; return the rows."""
+    rows = 0
+    for colour, name in ((RED, "red"), (YELLOW, "yellow")):
+        for eds in circles["eds_time"].values:
+            outcome = circles[f"{name}_circle_outcome"].sel(eds_time=eds)
+            speeds = circles["surface_speed"].values[(outcome == TOO_LATE).values]
+            if not speeds.size:
+                continue
+            rows += 1
+            ax.plot(speeds, np.full(speeds.size, -ROW * rows), "x", color=colour, markersize=6)
+            ax.annotate(
+                f"{name}, {eds:g} s", (speeds[0], -ROW * rows), xytext=(-7.0, 0.0), ha="right", va="center",
+                textcoords="offset points", fontsize="small", color=legible(colour),
+            )  # fmt: skip
+    return rows
 
 
 def _plan(ax: Axes, circles: xr.Dataset) -> None:
