@@ -39,6 +39,34 @@ def assert_units(figure):
     assert written
     for label in written:
         assert UNIT.search(label), label
+    assert_numbers_named(figure)
+
+
+def assert_numbers_named(figure):
+    """Numbers below a panel belong to a named quantity, and so do those of its enlarged parts."""
+    FigureCanvasAgg(figure).draw()
+    for ax in figure.axes:
+        alike = ax.get_shared_x_axes().get_siblings(ax)
+        named = figure.get_supxlabel() or any(other.get_xlabel() for other in alike)
+        if ax.get_label() != "<colorbar>" and not named:
+            assert not numbers_below(ax), f"{headline(figure)}: x of {ax.get_title(loc='left')}"
+        for part in ax.child_axes:
+            if hasattr(part, "set_functions"):  # a second scale
+                continue
+            assert part.get_title() or (part.get_xlabel() and part.get_ylabel()), headline(figure)
+            frame = ax.get_window_extent()
+            for label in numbers_below(part):
+                box = label.get_window_extent()
+                assert frame.x0 <= box.x0, f"{headline(figure)}: {label.get_text()}"
+                assert box.x1 <= frame.x1, f"{headline(figure)}: {label.get_text()}"
+
+
+def numbers_below(ax):
+    """Labels of the x axis that are numbers and visible."""
+    low, high = sorted(ax.xaxis.get_view_interval())
+    labels = [label for tick in ax.xaxis.get_major_ticks() for label in (tick.label1, tick.label2)]
+    inside = [label for label in labels if label.get_visible() and low <= label.get_position()[0] <= high]
+    return [label for label in inside if re.fullmatch(r"[−\d.]+", label.get_text())]
 
 
 def spoken(title):

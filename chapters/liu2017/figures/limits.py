@@ -21,7 +21,7 @@ from chapters.liu2017.limits import LIMITS
 from riserstudy.dataset.crossing import first_limit
 from riserstudy.design.watch_circles import TOO_LATE
 from riserstudy.figures.direct import label_ends, label_line, named
-from riserstudy.figures.insets import enlarge
+from riserstudy.figures.insets import enlarge, name_axes
 from riserstudy.figures.style import COLOURS, legend_below, panel_title, panels
 
 DRIFT_OFF = "all thrust lost"  # the scenario that is no drive-off
@@ -54,7 +54,10 @@ def losses(losses: xr.Dataset) -> Figure:
     axes[0].set_ylim(bottom=-0.05)
     name_limits(figure, axes)
     around = 0.5 * (end + stress)
-    enlarge(axes[1], (0.29, 0.68, 0.43, 0.22), (around - CLOSE, around + CLOSE), (0.9, 1.1), widest=1.5)
+    inset = enlarge(
+        axes[1], (0.29, 0.62, 0.43, 0.22), (around - CLOSE, around + CLOSE), (0.9, 1.1), widest=1.5
+    )
+    name_axes(inset, "time (s)", "utilisation")
     return figure
 
 
@@ -114,7 +117,7 @@ def _name_lines(above: list[Axes], last: Axes, by_time: dict[float, Line2D]) -> 
     for ax in above:
         names = [str(line.get_label()) for line in named(ax)]
         for line, name in zip(named(ax), names, strict=True):
-            other = beneath if "conductor" in names else (0.0, 5.0, "left")
+            other = beneath if "conductor" in names else (0.0, 8.0, "left")
             share, up, across = places.get(name, other)
             label_line(ax, line, share, (0.0, up), ha=across)
     first, *others = (f"in {time:g} s" for time in by_time)

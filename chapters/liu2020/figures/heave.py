@@ -11,7 +11,7 @@ from chapters.liu2020.below_ring import RING
 from chapters.liu2020.figures.colours import LINEAR, LINEARISED, ON_TENSIONERS, VERTICAL_CYLINDERS
 from chapters.liu2020.figures.motion_shared import DEPTH, TIME
 from riserstudy.figures.direct import label_ends
-from riserstudy.figures.insets import enlarge
+from riserstudy.figures.insets import enlarge, name_axes
 from riserstudy.figures.style import GREY, field, headline, key_below, panel_title, panels, shades
 from riserstudy.records.numerals import rounded_up
 
@@ -185,7 +185,8 @@ def _mark(ax: Axes, at: tuple[float, float], text: str, offset: tuple[float, flo
 
 def _near_zero(ax: Axes) -> None:
     """Enlarge, in the panel's empty part, the tension near the heave (m) at which it becomes negative."""
-    enlarge(ax, (0.1, 0.6, 0.36, 0.3), *ABOUT_ZERO, 3.0)
+    inset = enlarge(ax, (0.14, 0.54, 0.36, 0.3), *ABOUT_ZERO, 3.0)
+    name_axes(inset, "heave amplitude (m)", "tension (MN)")
 
 
 def _from(values: xr.DataArray, level: float) -> float | None:

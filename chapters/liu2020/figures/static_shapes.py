@@ -119,7 +119,7 @@ def _at_rest(values: xr.DataArray, title: str, across: str, right: Sequence[str]
         panel_title(row[0], CALIBRATIONS[calibration])
         panel_title(row[1], title)
         row[0].set_ylabel(DEPTH)
-    for ax in axes[2:]:
+    for ax in axes:  # the axes of the rows differ
         ax.set_xlabel(across)
     return figure
 

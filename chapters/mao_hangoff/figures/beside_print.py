@@ -16,7 +16,7 @@ from riserstudy.figures.insets import enlarge
 from riserstudy.figures.style import GREY, PRINTED, headline, key_below, panel_title, panels
 
 MARKS = ("o", "s", "^", "D", "v", "P")
-NEAR = (0.1, 0.09, 0.44, 0.25)  # empty part of a panel, for an enlarged part
+NEAR = (0.14, 0.09, 0.44, 0.22)  # empty part of a panel, for an enlarged part
 AROUND = 0.25  # half size of it, as share of nearest distance and of printed growth
 NEAREST = "nearest to all three numbers"
 HOLLOW: dict[str, Any] = {"ls": "none", "ms": 4, "mfc": "none", "mew": 0.8}
@@ -48,7 +48,9 @@ def readings(readings: xr.Dataset, heavy: float, light: float, moment: float, wi
     _ring(axes, nearest, MARKS[flows.index(str(nearest["flow"].item()))], colour)
     x, ratio = float(nearest["x"]), float(nearest["ratio"])
     up = (light / heavy - 1.0) * AROUND
-    enlarge(axes[1], NEAR, ((1.0 - AROUND) * x, (1.0 + AROUND) * x), (ratio - up, ratio + up))
+    inset = enlarge(axes[1], NEAR, ((1.0 - AROUND) * x, (1.0 + AROUND) * x), (ratio - up, ratio + up))
+    title = inset.set_title("enlarged: ratio over displacement (m)", fontsize="x-small", pad=5.0)
+    title.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.5})  # hides lines of the panel
     headline(figure, _how_near(misses, within, "interpretations"))
     return figure
 

@@ -115,6 +115,7 @@ def _enlarge_largest_difference(ax: Axes, moments: xr.DataArray, depth: xr.DataA
         f"largest difference (circle):\n{float(there):.1g} kN m at {float(there['time']):g} s",
         fontsize="x-small", pad=3.0,
     )  # fmt: skip
+    name_axes(inset, "moment (kN m)", "depth (m)")
 
 
 def fig07(pe_pipe: xr.Dataset) -> Figure:

@@ -46,9 +46,12 @@ def enlarge(
 
 
 def name_axes(inset: Axes, x: str, y: str) -> None:
-    """Write the labels of an enlarged part in small print, with y at the side of its tick labels."""
+    """Write the labels of an enlarged part in small print, at the sides of its tick labels."""
     white = {"facecolor": "white", "edgecolor": "none", "pad": 0.5}  # hides lines of the panel
-    inset.set_xlabel(x, fontsize="x-small", labelpad=1.0, bbox=white)
+    above = inset.xaxis.get_ticks_position() == "top"
+    inset.set_xlabel(x, fontsize="x-small", labelpad=4.0 if above else 1.0, bbox=white)
+    if above:
+        inset.xaxis.set_label_position("top")
     inset.set_ylabel(y, fontsize="x-small", labelpad=2.0)
     if inset.yaxis.get_ticks_position() == "right":
         inset.yaxis.set_label_position("right")
