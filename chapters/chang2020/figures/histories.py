@@ -33,7 +33,7 @@ CLOSE = 40.0  # s, plotted time where two such runs are compared
 DASHES = (0, (4, 4)), (0, (7, 2)), (0, (1, 1.5)), (0, (6, 2, 1, 2))
 UNITS = {"heave": "m", "tension": "MN"}
 HEAVE, TENSION = f"riser heave $x$ ({UNITS['heave']})", f"riser tension ({UNITS['tension']})"
-IN_PERIOD = "time in a steady-state period (s)"
+IN_PERIOD = "time in a period (s)"
 
 
 def fig08(

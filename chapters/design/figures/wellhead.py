@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
-from matplotlib.ticker import NullFormatter
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from riserstudy.figures.style import COLOURS, GREY, headline, panel_title, panels
 from riserstudy.records.numerals import rounded_up
@@ -36,7 +36,9 @@ def wellhead_fatigue(wellhead_fatigue: xr.Dataset) -> Figure:
     left.axvspan(low, high, color="0.92", lw=0.0, zorder=0.5)
     left.plot(damage, share, "o", color=COLOURS[0], markersize=3)
     left.set_xscale("log")
+    left.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     left.xaxis.set_minor_formatter(NullFormatter())  # labels within a decade overlap
+    left.xaxis.set_major_formatter("{x:g}")
     error = 100.0 * float(wellhead_fatigue["damage_error"])
     left.set_xlabel("damage of the conductor (1/year)")
     left.text(

@@ -72,6 +72,7 @@ def readings(reading_trends: xr.Dataset) -> Figure:
             label = f"{reading}: {READINGS[reading]}"
             style: dict[str, Any] = {"color": colour, "lw": 1.2, "ms": 7.0, "mfc": "none", "mew": 1.3}
             ax.plot(curve["buoyant_factor"], curve, f"{mark}-", label=label, **style)
+        panel_title(ax, name)
         ax.set_xlabel("buoyant factor")
         ax.set_ylabel(quantity)
         ax.set_yscale("log")  # makes small changes visible

@@ -130,7 +130,7 @@ def _enlarge_last(ax: Axes, x: xr.DataArray) -> None:
     low, high, s = float(at.min()), float(at.max()), float(at["s"])
     room = 0.8 * (high - low)
     up = 2.0 * room * (float(x["s"][-1]) - s) / high  # as high as the lines' slope requires
-    inset = enlarge(ax, (0.17, 0.24, 0.33, 0.4), (low - room, high + room), (s - up, s + up), widest=0.7)
+    inset = enlarge(ax, (0.17, 0.31, 0.33, 0.37), (low - room, high + room), (s - up, s + up), widest=0.7)
     inset.locator_params(axis="x", nbins=2)
     name_axes(inset, "x (m)", "s (m)")
 

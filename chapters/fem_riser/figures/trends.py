@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator
 
 from chapters.fem_riser.along import (
     amplitude_at,
@@ -30,6 +31,7 @@ from riserstudy.figures.style import GREY, headline, legend_below, panel_title, 
 from riserstudy.records.words import listed
 
 TOP = 100.0  # m, length of the enlarged part of the stress
+TICK_ROOM = 0.15  # share of an enlarged part, from its sides, without tick labels
 FILL = 0.25  # opacity of ranges, of which three overlap
 APART = "amplitude or drift (m)"
 SEEN = 3e-3  # m, of vibration and drift: below it, lines show errors of the mesh
@@ -79,7 +81,7 @@ def _stresses(ax: Axes, runs: xr.Dataset, colours: tuple[str, ...]) -> None:
     stress = 1e-6 * measures(beam)["stress"]
     pairs = zip(stress.values, (stress * beam["error_moment"]).values, strict=True)
     rows = [f"{value:.1f} ± {error:.1f}" for value, error in pairs]
-    _listed(ax, "largest,\nerror\n(MPa):", rows, colours, (0.63, 0.57))
+    _listed(ax, "largest ±\nerror\n(MPa):", rows, colours, (0.63, 0.57))
 
 
 def _listed(
@@ -111,6 +113,10 @@ def _top(ax: Axes, place: tuple[float, float, float, float], length: float) -> N
     margin = 0.06 * float(x.max() - x.min())
     inset = enlarge(ax, place, (x.min() - margin, x.max() + margin), (length - TOP, length + 0.03 * TOP))
     inset.set_yticks([])
+    inset.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10]))
+    low, high = inset.get_xlim()
+    room = TICK_ROOM * (high - low)  # labels at the edge would cross the frame of the panel
+    inset.set_xticks([tick for tick in inset.get_xticks() if low + room < tick < high - room])
     inset.set_title(f"upper {TOP:g} m", fontsize="x-small", pad=2.0)
 
 

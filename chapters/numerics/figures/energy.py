@@ -73,8 +73,8 @@ def _absent(ax: Axes, most: xr.DataArray) -> None:
         of = most.sel({"case": case})
         if absent := [str(method) for method in of["method"].values[np.isnan(of.values)]]:
             ax.annotate(
-                f"{', '.join(absent)}: unstable", (0.01, row), xycoords=("axes fraction", "data"),
-                va="center", fontsize="small",
+                f"{', '.join(absent)}: unstable", (0.0, row), xycoords=("axes fraction", "data"),
+                xytext=(5.0, 0.0), textcoords="offset points", va="center", fontsize="small",
             )  # fmt: skip
 
 

@@ -50,7 +50,7 @@ def _named(case: str, of: xr.Dataset) -> str:
         return f"riser in waves; the paper states a run time of {published / 3600:.0f} h"
     if case == IN_WAVES:
         return "riser in waves, for a part of the simulated time of the paper"
-    return f"simulated time of {case.replace(' in space', ', in three dimensions')}"
+    return f"riser in surge, simulated for {case.replace(' in space', ', in three dimensions')}"
 
 
 def _of_case(long_runs: xr.Dataset, case: str) -> xr.Dataset:
