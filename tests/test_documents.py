@@ -189,3 +189,20 @@ def test_the_version_is_one():
         project["version"]
     }
     assert project["license"] == cited["license"]
+
+
+def test_the_style_of_the_pages_names_images_as_the_built_pages_do():
+    """Sphinx copies all images into one folder; a style for a folder of ``docs/images`` has no effect."""
+    style = (ROOT / "docs/_static/site.css").read_text("utf-8")
+    named = re.findall(r'\[src\*="([^"]+)"\]', style)
+    images = [path.name for path in (ROOT / "docs/images").rglob("*.*")]
+    assert named
+    assert [part for part in named if not any(part in image for image in images)] == []
+
+
+def test_drawings_of_effects_have_the_text_by_which_the_style_finds_them():
+    style = (ROOT / "docs/_static/site.css").read_text("utf-8")
+    (start,) = re.findall(r'img\[alt\^="([^"]+)"\]', style)
+    drawn = re.findall(r"!\[([^\]]*)\]\(images/effects/", (ROOT / "docs/effects.md").read_text("utf-8"))
+    assert len(drawn) == len(catalogue())
+    assert [text for text in drawn if not text.startswith(start)] == []
