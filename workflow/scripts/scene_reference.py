@@ -81,8 +81,10 @@ def scene_reference() -> str:
         keys.setdefault(columns + more, []).append(f"`{'.'.join((*place.way, place.name))}`")
     tables = [f"- {', '.join(names)}: columns {columns}" for columns, names in keys.items()]
     parts = [HEAD % "\n".join(tables), units()]
+    described_in: dict[str | None, str] = {}  # first model with a docstring, by the docstring
     for model in models():
-        parts.append(f"## {title(model)}\n\n{_prose(model)}\n")
+        first = described_in.setdefault(model.__doc__, title(model))
+        parts.append(f"## {title(model)}\n\n{_prose(model, first)}\n")
         rows = [f"| `{name}` | {described(field)} |" for name, field in model.model_fields.items()]
         parts.append("| key | value |\n|---|---|\n" + "\n".join(rows) + "\n")
     return "\n".join(parts)
@@ -132,16 +134,22 @@ def _models_in(kind: Any) -> Iterator[Any]:
         yield from _models_in(part)
 
 
-def _prose(model: type[BaseModel]) -> str:
-    """Return the docstring of a model, with its first sentence as a subtitle."""
+def _prose(model: type[BaseModel], first_model: str) -> str:
+    """Return the docstring of a model, with its first sentence as a subtitle; the rest only once."""
     text = (inspect.getdoc(model) or "").replace("``", "`")
     first, _, others = re.sub(r"\.(\s+|$)", "\0", text, count=1).partition("\0")
+    if title(model) != first_model:
+        others = f"The text of the section {_link(first_model)} also applies here."
     return f"*{first}*\n\n{others}".rstrip()
 
 
 def title(model: type[BaseModel]) -> str:
     """Return the name of a model as a heading, with the parameter of a generic model after "of"."""
     return model.__name__.replace("[", " of ").replace("]", "")
+
+
+def _link(heading: str) -> str:
+    return f"[{heading}](#{heading.lower().replace(' ', '-')})"
 
 
 def described(field: FieldInfo) -> str:
@@ -167,7 +175,7 @@ def describe(kind: Any, limits: list[Any]) -> str:
     if choices and not inspect.isclass(kind):
         return " or ".join(describe(choice, limits) for choice in choices)
     if inspect.isclass(kind) and issubclass(kind, BaseModel):
-        return f"[{title(kind)}](#{title(kind).lower().replace(' ', '-')})"
+        return _link(title(kind))
     return _plain(kind, limits)
 
 

@@ -15,10 +15,7 @@ from riserstudy.scene.rules import check_rules
 
 
 class Scene(Parts):
-    """The top level of a scene file: a riser, its supports and its loads.
-
-    With the key ``paper``, the origin of values without a stated origin is *published* instead of *given*.
-    """
+    """The top level of a scene file: a riser, its supports and its loads."""
 
     @model_validator(mode="after")
     def _fits(self) -> Self:

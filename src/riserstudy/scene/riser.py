@@ -234,8 +234,8 @@ class Section(Strict):
     the scene. For a section that is wholly above the water, ``submerged_weight`` is the weight in air. If a
     section crosses the water surface, and has no ``submerged_weight``, or has ``modules`` or ``lines``, the
     engine divides it at the surface. In results, the part above the water is named ``<name>, above water``.
-    Because the part above the water displaces no water, the engine adds the weight of the displaced water (by
-    the outer diameter) to a given ``submerged_weight``.
+    To a given ``submerged_weight`` of the part above the water, the engine adds the buoyancy that is missing
+    there: the weight of water in the volume of the outer diameter.
 
     The key ``buoyancy_lift``, the net lift of buoyancy modules in water, has no effect on the simulation,
     because ``submerged_weight`` already includes the lift. Only the minimum tension formula of the command

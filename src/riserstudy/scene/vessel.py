@@ -107,8 +107,7 @@ class Yaw(Strict):
     """Freedom of a vessel to rotate about the vertical axis through the riser's top.
 
     The moment of the hull drag is C |dpsi/dt| dpsi/dt, with the yaw angle psi and the key ``hull_drag`` (C).
-    Added inertia and hull drag are zero if not given. If at least one riser section has a shear modulus, the
-    riser resists the yaw like a torsional spring.
+    Added inertia and hull drag are zero if not given.
     """
 
     inertia: Annotated[u.Inertia, POSITIVE]
