@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 from riserstudy.errors import InputError
+from riserstudy.files.letters import fault_of_letters
 
 #: endings of each kind of file that commands write
 ENDINGS = {
@@ -83,12 +84,15 @@ def check_output(
 def check_name(path: Path, option: str = "") -> None:
     """Refuse a file name that is no text: datasets and figures contain names, and could not be written.
 
-    Raises InputError when the name is not in UTF-8. ``option``: option that gives the name, if any.
+    Raises InputError when the name is not in UTF-8, or the netCDF library cannot open a dataset by its whole
+    path. ``option``: option that gives the name, if any.
     """
+    where, field = (option, str(path)) if option else (str(path), "")
+    if path.suffix == ".nc" and (fault := fault_of_letters(path)):
+        raise InputError(where, field, *fault)
     try:
         str(path).encode()
     except UnicodeEncodeError:
-        where, field = (option, str(path)) if option else (str(path), "")
         raise InputError(where, field, "the name of the file is not UTF-8 text", "rename the file") from None
 
 

@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 from riserstudy.dataset.other_files import refuse_other_files
 from riserstudy.dataset.without import without
 from riserstudy.errors import InputError, SimulationError
+from riserstudy.files.letters import fault_of_letters
 from riserstudy.files.whole import partial_of
 from riserstudy.records.numerals import plain
 
@@ -47,6 +48,8 @@ def written_whole(target: Path) -> Iterator[Path]:
     Raises SimulationError when it cannot be written, as on a full disk.
     """
     partial = partial_of(target, str(os.getpid()))
+    if fault := fault_of_letters(partial):
+        raise SimulationError(f"{target} cannot be written: {'; '.join(fault)}")
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         yield partial
@@ -65,8 +68,11 @@ def written_whole(target: Path) -> Iterator[Path]:
 def refuse_damaged(path: Path) -> None:
     """Check a dataset against the digest at its end, if it has one.
 
-    Raises InputError when it is damaged, or a pipe, for which the library would wait.
+    Raises InputError when it is damaged, or a pipe, for which the library would wait, or when the library
+    cannot open a file by this path.
     """
+    if fault := fault_of_letters(path):
+        raise InputError(path, "", *fault)
     if not path.is_file():
         if path.exists() and not path.is_dir():  # the library refuses a folder itself
             raise InputError(path, "", "this is not a regular file", "give the path of a dataset")
