@@ -115,9 +115,9 @@ def envelope(
     allowance to the static value of each output. If the limit is a smallest allowed value, the command
     subtracts the allowance instead. In nine of ten random realisations of the sea, the change due to waves
     does not exceed the allowance. The command computes the allowance by simulations in the sea and in each
-    current, at the offset of the scene. The allowance applies to a sea that lasts as long as a simulation
-    after its ramps, or as long as --exposure states. Limits on mean values have no allowance. The exit status
-    is 4 if a limit could not be evaluated.
+    current, at the offset of the scene and at the ends of the envelope. The allowance applies to a sea that
+    lasts as long as a simulation after its ramps, or as long as --exposure states. Limits on mean values have
+    no allowance. The exit status is 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)
@@ -153,7 +153,7 @@ def _allowed_for(run: float, storm: float | None, seeds: int) -> str:
     """A line on the duration of the seas of the allowances and of the runs after their ramps (s)."""
     return (
         f"allowances: nine of ten seas of {run if storm is None else storm:g} s do not exceed them, from "
-        f"{seeds} runs of {run:g} s in each sea and current"
+        f"{seeds} runs of {run:g} s in each sea and current, at up to three offsets"
     )
 
 

@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import labels, mode_and_limit
 from riserstudy.dataset.table import Cell, Table
+from riserstudy.design.allowances_by_offset import ByOffset, ends_of, with_ends
 from riserstudy.design.envelopes import SIDES, envelopes
-from riserstudy.design.operability import AtRest, Offsets, moved, offsets_at
+from riserstudy.design.operability import AtRest, Offsets, at_offset, moved, offset_of, offsets_at
 from riserstudy.design.sea_allowances import Allowance, allowances
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.sea import surface_current
@@ -26,6 +27,10 @@ from riserstudy.study.in_sea import Sea
 COLUMNS = ["mode", "sea", "current", "from", "to", "limit at from", "limit at to", "note"]
 UNITS = ["", "", "m/s", "m", "m", "", "", ""]
 CALM = "calm"
+#: change of a scene, such as to another current
+Change = Callable[[Resolved], Resolved]
+#: allowances of a sea by limit, for arguments ``notify`` and ``change`` as of `allowances`
+InSea = Callable[..., list[Allowance]]
 STILL = 1e-9  # share of the fastest current that counts as rounding
 
 
@@ -70,10 +75,9 @@ def envelope(
     missing: dict[str, str] = {}
     for c, (speed, of) in enumerate(zip(currents, with_speeds, strict=True)):
         change = partial(with_current, speed=speed)
-        added = [allowances(file, sea, seeds, notify, change, storm) for sea in seas]
-        added = added or [[Allowance(0.0)] * len(limits)]
+        in_seas = [partial(allowances, file, sea, seeds, storm=storm) for sea in seas]
         notify(f"offsets in a current of {speed:g} m/s")
-        for n, between in enumerate(_each(of, reach, added)):
+        for n, between in enumerate(_each(of, reach, change, in_seas, notify)):
             for k, one in enumerate(between):
                 found[n, c, k], also[n, c, k] = one[:2], one.also
                 if one.missing:
@@ -95,22 +99,50 @@ def envelope(
     return Envelope(Table(COLUMNS, UNITS, rows), missing)
 
 
-def _each(scene: Resolved, reach: float, added: list[list[Allowance]]) -> list[list[Offsets]]:
-    """Offsets of all limits with the allowances of each sea; all seas share the static solutions."""
+def _each(
+    scene: Resolved, reach: float, change: Change, in_seas: Sequence[InSea], notify: Callable[[str], None]
+) -> list[list[Offsets]]:
+    """Offsets of all limits in calm water, or in each sea; all seas share the static solutions.
+
+    The allowances of a sea are computed at the scene's own offset first, and then at the ends of the
+    envelopes that follow from them.
+
+    Parameters
+    ----------
+    change : change of the scene to its current.
+    in_seas : for each sea, a function that gives its allowances with a ``change`` of the scene.
+    """
     limits = scene.limits or []
     try:
         at = AtRest(scene, reach)
     except SimulationError as failure:
         lost = Offsets(math.nan, math.nan, f"a static equilibrium ({failure})")
-        return [[lost] * len(limits) for _ in added]
+        return [[lost] * len(limits)] * max(len(in_seas), 1)
+    own = offset_of(scene)
+    found = []
+    for in_sea in in_seas:
+        here = (own, in_sea(notify=notify, change=change))
+        first = _offsets(at, [ByOffset([own], [one]) for one in here[1]], reach)
+
+        def there(end: float, in_sea: InSea = in_sea) -> list[Allowance]:
+            return in_sea(
+                notify=lambda text: notify(f"{text}, at an offset of {end:.4g} m"),
+                change=lambda moving: at_offset(change(moving), end),
+            )
+
+        added = with_ends(limits, here, ends_of(limits, first, reach), reach, there)
+        found.append(_offsets(at, added, reach))
+    calm = [ByOffset([own], [Allowance(0.0)])] * len(limits)
+    return found or [_offsets(at, calm, reach)]
+
+
+def _offsets(at: AtRest, added: Sequence[ByOffset], reach: float) -> list[Offsets]:
+    """Offsets of all limits with their allowances."""
     return [
-        [
-            Offsets(math.nan, math.nan, more.missing)
-            if more.missing
-            else offsets_at(at, [limit], reach, {limit.output: more.by_place or more.value})[0]
-            for limit, more in zip(limits, of_sea, strict=True)
-        ]
-        for of_sea in added
+        Offsets(math.nan, math.nan, more.missing)
+        if more.missing
+        else offsets_at(at, [limit], reach, {limit.output: more.at})[0]
+        for limit, more in zip(at.scene.limits or [], added, strict=True)
     ]
 
 

@@ -39,6 +39,8 @@ NODES = 9  # number of initial offsets of a search, the same for all limits
 CLOSE = 0.05  # m, tolerance of an offset
 #: dynamic allowance of an output, in the SI unit of its limit: at all places, or by place
 Added = float | Mapping[str, float]
+#: a dynamic allowance, or a function that gives it for an offset (m)
+Allowed = Added | Callable[[float], Added]
 
 
 class Offsets(NamedTuple):
@@ -76,7 +78,7 @@ def offsets(scene: Resolved, reach: float, allowances: Mapping[str, Added]) -> l
 
 
 def offsets_at(
-    at: AtRest, limits: Sequence[Limit], reach: float, allowances: Mapping[str, Added]
+    at: AtRest, limits: Sequence[Limit], reach: float, allowances: Mapping[str, Allowed]
 ) -> list[Offsets]:
     """The same for some limits, with static solutions that are shared with other limits."""
     return [_between(at, limit, reach, allowances) for limit in limits]
@@ -136,7 +138,22 @@ def moved(scene: Resolved, offset: float) -> Resolved:
     if solver := scene.analysis.solver:
         found = f"the solver {solver!r} does not evaluate limits"
         raise InputError("scene", "analysis.solver", found, "remove it")
-    scene, top = at_rest(scene), scene.top
+    return at_offset(at_rest(scene), offset)
+
+
+def offset_of(scene: Resolved) -> float:
+    """Offset of the riser's top from the well along x (m), with the platform in calm water."""
+    place = scene.platform and scene.platform.position
+    follows = scene.top.x == "platform" and place
+    return (scene.top.offset or 0.0) + ((place.surge or 0.0) if follows and place else 0.0)
+
+
+def at_offset(scene: Resolved, offset: float) -> Resolved:
+    """The scene, also in motion, with the riser's top, the platform and the tensioners at an offset (m).
+
+    Raises InputError when the riser's top is not held horizontally.
+    """
+    top = scene.top
     if top.x == "platform" and scene.platform:
         position = scene.platform.position or Position()
         position = position.replaced(surge=offset - (top.offset or 0.0))
@@ -172,7 +189,7 @@ def _fine_enough(scene: Resolved, reach: float) -> Mesh:
     return max(meshes, key=lambda mesh: len(mesh.l0))
 
 
-def _between(at: AtRest, limit: Limit, reach: float, allowances: Mapping[str, Added]) -> Offsets:
+def _between(at: AtRest, limit: Limit, reach: float, allowances: Mapping[str, Allowed]) -> Offsets:
     """The offsets between which one limit is met."""
     if missing := lacks(at.scene, limit):
         return Offsets(math.nan, math.nan, ", ".join(missing))
@@ -209,15 +226,15 @@ def _if_sure(at: AtRest, limit: Limit, found: Offsets) -> Offsets:
     return Offsets(math.nan, math.nan, missing) if missing else found
 
 
-def excess(at: AtRest, limit: Limit, allowance: Added, offset: float) -> float:
+def excess(at: AtRest, limit: Limit, allowance: Allowed, offset: float) -> float:
     """Amount by which a limit is exceeded at an offset (m), in the SI unit of its output; below 0: met.
 
     Raises SimulationError when no equilibrium is found at the offset.
     """
-    over = []
+    over, allowed = [], allowance(offset) if callable(allowance) else allowance
     for row in rows_of(at.scene, limit, at.extremes(offset)):
         if found := demand_of(at.scene, limit, [row]):
-            added = allowance[row["where"]] if isinstance(allowance, Mapping) else allowance
+            added = allowed[row["where"]] if isinstance(allowed, Mapping) else allowed
             over.append(_excess_of(at.scene, limit, found[0], added))
     if not over:
         raise SimulationError(
