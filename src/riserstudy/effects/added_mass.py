@@ -3,9 +3,9 @@ r"""Mass that resists acceleration across the pipe only: added mass of the water
 .. math:: f = -m_n\,(\ddot r - (\ddot r \cdot t)\,t),\qquad m_a = C_a \rho\,\pi D^2/4
 
 Here t is the direction of the pipe, and :math:`m_n` is the sum of the added mass :math:`m_a` of the water
-outside the pipe, by the Morison equation, and of the mass of a fluid inside the pipe. This fluid follows the
-lateral motion of the pipe, but not its axial motion. If the added mass acts horizontally, t is the vertical
-direction instead.
+outside the pipe, by the Morison equation, and of the mass of a fluid inside the pipe. The fluid inside the
+pipe follows the lateral motion of the pipe, but not its axial motion. If the added mass acts horizontally, t
+is the vertical direction instead.
 
 References
 ----------

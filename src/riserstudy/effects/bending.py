@@ -6,7 +6,7 @@ nodes,
 .. math:: \alpha_i - \alpha_{i-1} = \sum_j A_{ij} M_j,\qquad
           A_{ii} = \sum_e \tfrac{5}{12}\,\ell_e/EI_e,\quad A_{i,i+1} = \tfrac{1}{12}\,\ell_i/EI_i,
 
-where :math:`\alpha_e` is the angle of segment e from the vertical, towards +x. In a segment at a riser end
+Here :math:`\alpha_e` is the angle of segment e from the vertical, towards +x. In a segment at a riser end
 whose direction is held (clamp, flex joint), the factors are 1/3 and 1/6 instead of 5/12 and 1/12. The factors
 1/3 and 1/6 correspond to a linearly varying curvature. By the equilibrium of a segment, the shear force is
 the difference of the end moments divided by the length:

@@ -7,9 +7,9 @@ follow from the turning angles plus :math:`\tau` times the rates of these angles
 angles are numbers; in space, moments and angles are vectors with three components.
 
 A flex joint at a node is not damped: at this node, the damping acts only on the pipe's share of the turning
-angle. The engine assumes that this share is equal to the pipe's share of the flexibility of the node. This
-assumption neglects the square of :math:`\tau` times the frequency. The shorter the segments are, the smaller
-is the pipe's share.
+angle. The engine assumes that the pipe's share of the turning angle is equal to the pipe's share of the
+flexibility of the node. The assumption of equal shares neglects the square of :math:`\tau` times the
+frequency. The shorter the segments are, the smaller is the pipe's share.
 
 References
 ----------

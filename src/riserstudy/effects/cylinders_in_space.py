@@ -5,7 +5,7 @@ the ring along its axis. The ring rotates with the top of the riser below it. Un
 :math:`m = \sum_c a_c \times F_c` about the centre of the ring, with the lever arm :math:`a_c` and the pull
 :math:`F_c` of each cylinder. If the riser has the bending moment M below the ring, the telescopic joint
 therefore has the bending moment :math:`M - m` above the ring. The component of m along the axis of the ring
-is a torque. This torque has no effect, because the riser is free to twist.
+is a torque. The torque has no effect, because the riser is free to twist.
 
 The deck moves with a platform of prescribed motion, or horizontally with a freely floating vessel. A freely
 floating vessel is the top node of the riser, and carries the horizontal component of the pulls. The

@@ -6,7 +6,7 @@ is
 
 .. math:: f = -m(s, t)\,g\,\hat z + m(s, t)\,\dot V\,\hat t, \qquad m = \rho_i A_i
 
-This load acts on the filled length of the riser, with the density :math:`\rho_i` of the fluid and the area
+The load f acts on the filled length of the riser, with the density :math:`\rho_i` of the fluid and the area
 :math:`A_i` of the bore. Speed and level of the column come from a table (`model.mud_column`). The effects
 `weight` and `contents` use the remaining mass that this effect computes. Contents that flow out carry their
 kinetic energy out of the riser. The model neglects the momentum :math:`\rho A V^2` of the flow through a

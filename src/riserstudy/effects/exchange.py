@@ -10,8 +10,8 @@ times of a table,
    \Delta = r_1 - r_0,
 
 Here h is the time between two rows of the table, and x is the fraction of h that has elapsed. The indices 0
-and 1 denote these two rows. The velocity is the derivative of r. The acceleration is interpolated linearly,
-and is therefore equal to the acceleration of the platform at each time of the table.
+and 1 denote the two rows. The velocity is the derivative of r. The acceleration is interpolated linearly, and
+is therefore equal to the acceleration of the platform at each time of the table.
 
 References
 ----------

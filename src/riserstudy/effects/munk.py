@@ -8,8 +8,8 @@ water at rest, give
 
    F = \dot\psi A' U,\qquad N = \tfrac12 U^T A' U - \dot r^T A' U,\qquad V = -\tfrac12 U^T A U
 
-with :math:`A' = dA/d\psi`. A hull with a larger added mass sideways turns broadside to the current (Munk
-moment). The work of forces and moment equals the decrease of the potential V.
+Here :math:`A'` is :math:`dA/d\psi`. A hull with a larger added mass sideways turns broadside to the current
+(Munk moment). The work of forces and moment equals the decrease of the potential V.
 
 References
 ----------

@@ -1,13 +1,13 @@
 r"""Soil around a conductor: springs that resist the lateral displacement y of its nodes.
 
-The springs have the resistance p per length. They are linear, :math:`p = k\,y`, or follow a p-y curve
-(resistance over displacement). For soft clay under static load, this curve is Matlock's curve,
+The springs have the resistance p per length. The springs are linear, :math:`p = k\,y`, or follow a p-y curve
+(resistance over displacement). For soft clay under static load, the p-y curve is Matlock's curve,
 
 .. math:: p = \tfrac12\,p_u\,(y/y_{50})^{1/3},\qquad p \le p_u,
 
 The stiffness of Matlock's curve at y = 0 is infinite, so a straight line replaces the curve up to a small
 :math:`y_0`. Beyond the last point, the p-y curves of sand and of tables are constant. Up to the last point,
-these curves consist of cubic pieces,
+p-y curves of sand and of tables consist of cubic pieces,
 
 .. math:: p(y) = a_k t^3 + b_k t^2 + c_k t + d_k, \qquad t = y - y_k.
 

@@ -8,7 +8,7 @@ pipe. If force and velocity are in phase, :math:`\hat f` is the value :math:`f_0
           \hat f = f_0 + (f_{max} - f_0)\sin\theta\ (\theta > 0),\qquad
           \hat f = f_0 + (f_0 - f_{min})\sin\theta\ (\theta < 0),
 
-where y' is the velocity along the force, and :math:`\theta` is the phase of y' minus :math:`\varphi`. The
+Here y' is the velocity along the force, and :math:`\theta` is the phase of y' minus :math:`\varphi`. The
 phase of y' is computed from velocity and acceleration, each divided by its running root mean square,
 
 .. math:: \sin\theta = \frac{r\cos\varphi - p\sin\varphi}{\sqrt{p^2 + r^2 + \delta^2}},\quad
@@ -16,8 +16,8 @@ phase of y' is computed from velocity and acceleration, each divided by its runn
           r = \frac{-y''}{\sqrt{s_a + (\varepsilon |u|\,\omega_0)^2}},\quad
           \dot s_v = \frac{y'^2 - s_v}{T D/|u|},\ \dot s_a = \frac{y''^2 - s_a}{T D/|u|}
 
-with :math:`\omega_0 = 2\pi f_0 |u|/D`. Here :math:`s_v` and :math:`s_a` are the running mean squares of
-velocity and acceleration. Without motion, the phase of y' is not defined; :math:`\varepsilon` and
+The frequency :math:`\omega_0` is :math:`2\pi f_0 |u|/D`; :math:`s_v` and :math:`s_a` are the running mean
+squares of velocity and acceleration. Without motion, the phase of y' is not defined; :math:`\varepsilon` and
 :math:`\delta` then make :math:`\sin\theta` zero. At velocities of one hundredth of the flow speed,
 :math:`\varepsilon` and :math:`\delta` change :math:`\sin\theta` by less than one per cent.
 

@@ -2,9 +2,8 @@ r"""Loss of a share of a constant tension during a run, because cylinders fail o
 
 .. math:: F(t) = -\tfrac12 \Delta F\,\Big(1 - \cos\frac{\pi (t - t_0)}{\tau}\Big)
 
-The magnitude of this force increases from t_0 to t_0 + tau. After t_0 + tau, all of :math:`\Delta F` is lost.
-A force that changes with time has no potential, so the audit counts the work of this force as supplied
-energy.
+The magnitude of F increases from t_0 to t_0 + tau. After t_0 + tau, all of :math:`\Delta F` is lost. A force
+that changes with time has no potential, so the audit counts the work of this force as supplied energy.
 
 References
 ----------

@@ -4,14 +4,14 @@ r"""Thrusters that hold a platform at a place, or at a heading.
 
    F_c = \mathrm{sat}\big(G\,(x_c(t) - x) - D\,\dot x\big),\qquad \tau \dot F + F = F_c
 
-These equations apply in one direction, or in two directions with a limit on the magnitude of the thrust. The
+The equations apply in one direction, or in two directions with a limit on the magnitude of the thrust. The
 commanded position increases as :math:`x_c (1 - e^{-t/t_r})`. A lag :math:`\tau` adds one unknown per
-direction, in a node that is not part of the riser. This unknown is the path q of a unit mass that the force
-F_c / m drives against a damper,
+direction, in a node that is not part of the riser. The unknown for the lag is the path q of a unit mass that
+the force F_c / m drives against a damper,
 
 .. math:: \ddot q + \dot q / \tau = F_c / m,\qquad F = m\,\dot q / \tau ,
 
-The energy of this unit mass is negligible. If the platform has first-order motion, x excludes the first-order
+The energy of the unit mass is negligible. If the platform has first-order motion, x excludes the first-order
 motion: the control responds only to the slow motion.
 
 References

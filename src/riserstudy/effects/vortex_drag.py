@@ -6,9 +6,9 @@ is
 
 .. math:: f = \tfrac12 \rho\,C_x D\,|u|\,u\cos\varphi_x
 
-in addition to the mean drag. The phase :math:`\varphi_x` follows the velocity of the riser along the flow,
-:math:`v\cdot u/|u|`, by `synchronisation`, with three separate frequencies of about twice the frequencies of
-the lift. The phase of the varying drag is independent of the phase of the lift.
+This force acts in addition to the mean drag. The phase :math:`\varphi_x` follows the velocity of the riser
+along the flow, :math:`v\cdot u/|u|`, by `synchronisation`, with three separate frequencies of about twice the
+frequencies of the lift. The phase of the varying drag is independent of the phase of the lift.
 
 As for the lift, the tangent matrix omits the dependence of loads on the direction of the pipe, and the
 dependence of phases on elevation.

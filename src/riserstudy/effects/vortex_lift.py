@@ -6,11 +6,11 @@ is
 
 .. math:: f = \tfrac12 \rho\,C_v D\,|u|\,(t \times u)\cos\varphi
 
-with a phase that follows the velocity of the riser across the flow, :math:`y' = v\cdot e` with :math:`e = t
-\times n`, by `synchronisation`. The lift is perpendicular to the relative flow, so all energy that it takes
-from the flow is supplied to the riser. The tangent matrix omits the dependence of loads on the direction of
-the pipe, and the dependence of phases on elevation. In motion, both dependences are small compared with
-inertia.
+The phase :math:`\varphi` follows the velocity of the riser across the flow, :math:`y' = v\cdot e` with
+:math:`e = t \times n`, by `synchronisation`. The lift is perpendicular to the relative flow, so all energy
+that it takes from the flow is supplied to the riser. The tangent matrix omits the dependence of loads on the
+direction of the pipe, and the dependence of phases on elevation. In motion, both omitted terms are small
+compared with inertia.
 
 References
 ----------

@@ -2,12 +2,12 @@ r"""Water surface: drag, added mass and wave force act only on the part of a seg
 
 .. math:: w_e = \frac{d_+}{d_+ - d_-}
 
-This is the wet share :math:`w_e` of a segment with one end under water, at the depth :math:`d_+` below the
-surface, and the other end above the surface, at the negative depth :math:`d_-`. The wet share of all other
-segments is 1 or 0. Between nodes, the elevation of the surface is interpolated linearly. The engine computes
-the loads of the segment as if the whole segment were under water, and multiplies the loads by the wet share.
-At the end above the surface, the water velocity is the velocity at the surface. The error of the loads is of
-second order in the segment length, and the loads do not jump when a node emerges or submerges.
+The formula gives the wet share :math:`w_e` of a segment with one end under water, at the depth :math:`d_+`
+below the surface, and the other end above the surface, at the negative depth :math:`d_-`. The wet share of
+all other segments is 1 or 0. Between nodes, the elevation of the surface is interpolated linearly. The engine
+computes the loads of the segment as if the whole segment were under water, and multiplies the loads by the
+wet share. At the end above the surface, the water velocity is the velocity at the surface. The error of the
+loads is of second order in the segment length, and the loads do not jump when a node emerges or submerges.
 
 The submerged weight of a segment is the value of the scene, and does not change. The force due to the
 changing added mass (slamming) is neglected.

@@ -9,18 +9,18 @@ k x - \omega t + \varphi`,
     u = \sum a \omega \frac{\cosh k(z+d)}{\sinh kd} \cos\theta,\quad
     w = \sum a \omega \frac{\sinh k(z+d)}{\sinh kd} \sin\theta
 
-and the derivatives with respect to time. Here :math:`\eta` is the elevation of the surface, u the horizontal
-and w the vertical velocity of the water, and d the water depth. Over the ramp, half a cosine increases the
-amplitudes of all components from zero. The derivative of the ramp is part of the acceleration. Up to t = 0
-the sea is calm, so the static equilibrium has no waves. The sums are computed directly, component by
-component.
+The accelerations are the derivatives of u and w with respect to time. Here :math:`\eta` is the elevation of
+the surface, u the horizontal and w the vertical velocity of the water, and d the water depth. Over the ramp,
+half a cosine increases the amplitudes of all components from zero. The derivative of the ramp is part of the
+acceleration. Up to t = 0 the sea is calm, so the static equilibrium has no waves. The sums are computed
+directly, component by component.
 
 Linear theory is valid up to the mean level. For the water above the mean level, there are three options: no
 velocity (none), the velocity at the mean level (constant), or a velocity profile that is stretched from
 seabed to surface (stretched, Wheeler 1970). Segments that cross the surface have a node above the surface
-(`waterline`). At this node, the velocity is the velocity at the surface. The wave is evaluated at the
-position of a node in the deformed riser. The stiffness matrix omits the change of the wave with horizontal
-position.
+(`waterline`). At nodes above the surface, the velocity is the velocity at the surface. The wave is evaluated
+at the position of a node in the deformed riser. The stiffness matrix omits the change of the wave with
+horizontal position.
 
 References
 ----------

@@ -4,8 +4,8 @@ r"""Morison's inertia force: force of accelerating water across the pipe.
 
 The force f is per unstretched length, :math:`\dot u` is the local acceleration of the water, and t is the
 direction of the pipe. The part of the inertia force that depends on the acceleration of the pipe is the
-effect `added_mass`. The stiffness matrix omits the change of the force with position. Over a time step, this
-change is at most a thousandth of the inertia.
+effect `added_mass`. The stiffness matrix omits the change of the force with position. Over a time step, the
+change of the force with position is at most a thousandth of the inertia.
 
 References
 ----------

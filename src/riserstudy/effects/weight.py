@@ -3,7 +3,7 @@ r"""Constant loads along the riser: submerged weight, and a lateral load per len
 .. math:: w = (m_{dry} + \rho_i A_i - \rho_w A_o)\,g
 
 The submerged weight w is per unstretched length: the weight of the dry pipe and of its contents, minus the
-weight of the displaced water. It acts in the equations of the effective tension.
+weight of the displaced water. The submerged weight acts in the equations of the effective tension.
 
 References
 ----------
