@@ -137,7 +137,7 @@ def histories(files: Files, stored: Mapping[str, Path]) -> Iterator[Row]:
         scene = files[name].with_values(short, "validation").resolved()
         requested = {"displacement": DISPLACEMENT, "moment": MOMENT, "tension": MOMENT}
         for quantity, error in other.errors(run(scene)).items():
-            case, because = f"scene {name} over the whole run", "the errors that the default accuracy allows"
+            case, because = f"scene {name} over the whole run", "the errors that the default tolerance allows"
             yield Row(
                 case, f"largest difference of {quantity}", "1", SECOND,
                 other.code, 0.0, error, requested[quantity], because, 1.0,

@@ -55,7 +55,7 @@ def column(_: Files) -> Iterator[Row]:
     one, two = map(square, weights)
     vanishes = weights[1] + (weights[1] - weights[0]) * two / (one - two)
     by = "9/4 of the square of the first zero of J₋₁/₃ (Greenhill)"
-    because = "the linear extrapolation of the squared frequency to zero, from 98 and 99 % of the weight"
+    because = "the linear extrapolation of the squared frequency to zero, from 98 and 99 % of this weight"
     value = vanishes * length**3 / bending
     yield Row("column under its own weight", "w L³ / EI", "1", CLOSED, by, exact, value, 1e-4, because)
 

@@ -56,7 +56,7 @@ BuoyancyOption = Annotated[
 FleetAngleOption = Annotated[
     str,
     typer.Option(
-        help="angle of the tensioner lines from the vertical, if the ratio R_f does not include its effect",
+        help="angle of the tensioner lines from the vertical, if the ratio R_f does not include the angle",
         metavar="ANGLE",
     ),
 ]

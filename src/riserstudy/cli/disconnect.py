@@ -82,7 +82,8 @@ def watch_circles(
     ],
     prepare: Annotated[str, typer.Option(help="time from the yellow alarm to the red alarm", metavar="TIME")],
     mode: Annotated[
-        list[Mode] | None, typer.Option(help="use only limits of this mode; may be repeated; default: all")
+        list[Mode] | None,
+        typer.Option(help="use only limits of this operating mode; may be repeated; default: all"),
     ] = None,
     settings: SetOption = None,
     accuracy: AccuracyOption = None,

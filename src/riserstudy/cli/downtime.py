@@ -80,7 +80,7 @@ HoldBackOption = Annotated[
 VaryOption = Annotated[
     list[str] | None,
     typer.Option(
-        help="print only a table of workable hours, with one row per mode of the limits, for this value of "
+        help="print only a table of workable hours, with one row per operating mode, for this value of "
         "the scene, such as platform.position.surge='5 m'; may be repeated",
         metavar="PATH=VALUE",
     ),
@@ -157,10 +157,10 @@ def downtime(
 ) -> None:
     """Compute workable hours of a record of sea states under limits, with weather windows and waiting times.
 
-    For future years, the command predicts a range of workable hours from the hours in each whole year of the
-    record, by Student's t-distribution. The option --persistence sets how similar consecutive years are. A
-    weather window is an uninterrupted period of workable hours; a gap in the record ends it. If a gap is
-    before the start of the next weather window, only a lower bound of the waiting time is known.
+    For future years, the command predicts a range of workable hours by Student's t-distribution, from the
+    workable hours of each complete year of the record. The option --persistence sets how similar consecutive
+    years are. A weather window is an uninterrupted period of workable hours; a gap in the record ends it. If
+    a gap is before the start of the next weather window, only a lower bound of the waiting time is known.
 
     With the option --scene, an hour is workable only if the limits of the scene are also met. The command
     then simulates the riser in some sea states of the record, and interpolates the response of the riser

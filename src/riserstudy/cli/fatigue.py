@@ -56,7 +56,8 @@ GammaOption = Annotated[
 CalmOption = Annotated[
     bool,
     typer.Option(
-        "--calm", help="treat wave heights and periods below the lowest simulated value as this value"
+        "--calm",
+        help="treat wave heights and periods below the simulated range as the lowest simulated value",
     ),
 ]
 WithoutOption = Annotated[
