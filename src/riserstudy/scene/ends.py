@@ -17,8 +17,7 @@ from riserstudy.scene.tensioners import Tensioners
 class Areas(Strict):
     """Drag areas of a body: drag coefficient times area.
 
-    A body without the key ``horizontal`` has no horizontal drag, and a body without the key ``vertical`` has
-    no vertical drag.
+    Without the key ``horizontal`` or ``vertical``, the drag of the body in this direction is zero.
     """
 
     horizontal: Annotated[u.Area, NOT_NEGATIVE] | None = None
@@ -28,8 +27,7 @@ class Areas(Strict):
 class BodyAddedMass(Strict):
     """Added mass of a body.
 
-    A body without the key ``horizontal`` has no horizontal added mass, and a body without the key
-    ``vertical`` has no vertical added mass.
+    Without the key ``horizontal`` or ``vertical``, the added mass of the body in this direction is zero.
     """
 
     horizontal: Annotated[u.Mass, NOT_NEGATIVE] | None = None
@@ -186,11 +184,10 @@ class TelescopicJoint(Strict):
     the joint is below the water surface. The key ``length`` is the distance from the tension ring to the
     upper end of the joint with the platform at rest. The outer and the inner barrel bend together, as one
     beam. The key ``tension`` is an additional constant pull of tensioners along the joint. Without the key
-    ``stop``, the joint has no end stops, and a warning appears if the joint becomes shorter than half of
-    ``length`` or longer than twice ``length``, because no real joint can do this. Include the mass of the
-    outer barrel in ``top.body`` at the tension ring; the inner barrel moves with the platform. The stops of
-    the joint (``stop``) and the stops of the tensioners (``tensioners.stroke``) are separate, and a scene can
-    have both.
+    ``stop``, the joint has no end stops. Without stops, a warning appears if the joint becomes shorter than
+    half of ``length`` or longer than twice ``length``. Include the mass of the outer barrel in ``top.body``
+    at the tension ring; the inner barrel moves with the platform. The stops of the joint (``stop``) and the
+    stops of the tensioners (``tensioners.stroke``) are separate, and a scene can have both.
 
     By default, the stroke of the joint and the positions of its stops are measured from ``length``. With
     ``mid_stroke: riser in equilibrium``, the stroke is zero when the tensioners carry the vertical riser in

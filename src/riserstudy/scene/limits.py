@@ -48,13 +48,13 @@ class Limit(Strict):
     this limit is exceeded.
 
     For moments, shear forces, angles, x and y, the sign is a convention, so the limit applies to the
-    magnitude, and the engine refuses the key ``smallest`` and negative allowed values. The key ``at`` gives
-    the place: a section (its name), or an end of a section (``lower end of`` or ``upper end of``, followed by
-    the name). For a group of consecutive sections, give the names of the lowest and the highest section
-    (``[lowest, highest]``). By default, a limit applies to the whole riser. For tension and stress, the whole
-    riser does not include the stack and the conductor below the flex joint. A disconnect opens the lower flex
-    joint, so a limit on the angle of this joint applies only until the disconnect. The allowable value can
-    have an origin, like any other value of a scene.
+    magnitude. A limit on a magnitude cannot have the key ``smallest`` or a negative allowed value. The key
+    ``at`` gives the place: a section (its name), or an end of a section (``lower end of`` or ``upper end
+    of``, followed by the name). For a group of consecutive sections, give the names of the lowest and the
+    highest section (``[lowest, highest]``). By default, a limit applies to the whole riser. For tension and
+    stress, the whole riser does not include the stack and the conductor below the flex joint. A disconnect
+    opens the lower flex joint, so a limit on the angle of this joint applies only until the disconnect. The
+    allowable value can have an origin, like any other value of a scene.
     """
 
     output: str

@@ -174,8 +174,8 @@ class Contents(Strict):
     water in ``submerged_weight``. The contents reach up to the elevation ``level``, by default to the upper
     end of the highest section with contents. The gauge pressure of the contents on the wall is the static
     pressure of the column of contents up to ``level``. If a section without contents lies between sections
-    with contents, the pressure in the sections below it is unknown, and the engine does not compute the von
-    Mises stress in these lower sections.
+    with contents, the pressure in the sections below it is unknown. The engine computes no von Mises stress
+    in sections with unknown pressure.
     """
 
     density: Annotated[u.Density, POSITIVE]

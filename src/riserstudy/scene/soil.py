@@ -106,9 +106,9 @@ class SoilDamping(DampingAtPeriod):
 
     The key ``ratio`` is the damping ratio (damping divided by critical damping) at one period of motion. In a
     cycle with the period ``at_period`` and the amplitude ``at_displacement``, a dashpot dissipates 4 pi
-    ``ratio`` times the elastic energy of its soil spring, computed with the secant stiffness of the spring.
-    Choose ``at_period`` close to the period of motion. At longer periods, a dashpot dissipates less energy
-    per cycle, whereas the energy per cycle of real soil does not decrease.
+    ``ratio`` times the elastic energy of its soil spring. The elastic energy is computed with the secant
+    stiffness. Choose ``at_period`` close to the period of motion. At longer periods, a dashpot dissipates
+    less energy per cycle, whereas the energy per cycle of real soil does not decrease.
     """
 
     at_displacement: Annotated[u.Length, POSITIVE] | None = None
