@@ -119,10 +119,10 @@ class Coupling(Strict):
     """Solution of platform and riser in turn, over intervals of time.
 
     With ``scheme: staggered``, the engine first moves the platform over each interval, with the riser's force
-    at the start of the interval. The engine then simulates the riser with this platform motion. With ``scheme:
-    iterated``, the engine repeats each interval with the new force of the riser, until the platform motion
-    changes by less than ``tolerance``. The default of ``tolerance`` is the limit for corrections of positions
-    in Newton's iteration.
+    at the start of the interval. The engine then simulates the riser with this platform motion. With
+    ``scheme: iterated``, the engine repeats each interval with the new force of the riser, until the platform
+    motion changes by less than ``tolerance``. The default of ``tolerance`` is the limit for corrections of
+    positions in Newton's iteration.
     """
 
     scheme: Literal["staggered", "iterated"]
