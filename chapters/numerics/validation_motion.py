@@ -71,7 +71,7 @@ def decay(_: Files) -> Iterator[Row]:
     exact = known.decrement(ratio)
     case, by = "mass on a damped spring (Kelvin, Voigt)", "2 π ζ / √(1 - ζ²)"
     because = "the error, of second order, of time steps of 1/300 of the period"
-    yield Row(case, "decrement", "1", CLOSED, by, exact, decrement, 3e-4, because)
+    yield Row(case, "logarithmic decrement", "1", CLOSED, by, exact, decrement, 3e-4, because)
 
 
 def _tops(values: NDArray[np.float64]) -> list[float]:
