@@ -26,21 +26,24 @@ def drawn(draw):
 
 
 def errors(draw):
-    """True relative error of the largest damage, and its estimate."""
+    """True relative error of the largest damage, with its sign, and its estimate."""
     by, grids, hs, tp = drawn(draw)
     occurs = Occurrence({"significant_height": hs, "peak_period": tp}, np.full(len(hs), 1.0 / len(hs)), ())
     found = over_years(study(0.0, *grids, by=by), occurs, {}).worst[0]
-    return abs(found.rate / by(hs, tp, 0.0).mean() - 1.0), found.error_between
+    return found.rate / by(hs, tp, 0.0).mean() - 1.0, found.error_between
 
 
 @pytest.mark.parametrize("seed", range(3))
 def test_the_estimate_covers_errors_near_a_resonance(seed):
     """A difference between grids hides errors where it changes its sign, from sea to sea or by omission."""
     draw = np.random.default_rng((seed, 50))
-    off, told = np.transpose([errors(draw) for _ in range(60)])
+    signed, told = np.transpose([errors(draw) for _ in range(60)])
+    # linear interpolation of the fourth root gives 4 to 5 % too little damage in the median
+    assert abs(np.median(signed)) <= 0.02
+    off = abs(signed)
     assert (off <= 3.0 * told + 1e-3).all()  # a grid far too coarse for the resonance does not show it
     assert (off <= told).mean() >= 0.85
-    assert (told[off > 0.01] <= 5.0 * off[off > 0.01]).mean() > 0.8  # nor is it far too large
+    assert (told[off > 0.01] <= 10.0 * off[off > 0.01]).mean() > 0.7  # nor is it far too large
 
 
 @pytest.mark.parametrize("seed", range(6))
