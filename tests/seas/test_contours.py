@@ -8,7 +8,6 @@ import xarray as xr
 from scipy.stats import norm
 
 from riserstudy.errors import InputError
-from riserstudy.seas import contours
 from riserstudy.seas.contours import contour, doubts
 from riserstudy.seas.synthetic import synthetic
 
@@ -42,7 +41,7 @@ def test_the_highest_sea_is_that_of_the_distribution_of_heights():
     assert true * 0.97 <= top[3]
     assert np.log(top[4]) == pytest.approx(1.6 + 0.25 * np.sqrt(top[1]), abs=0.1)
     for row in table.rows:
-        assert row[2] < row[3]
+        assert row[2] < row[3] or row[1:4] == [0.0, 0.0, 0.0]  # the least height of a fit may be below zero
         assert row[5] < row[6]
 
 
@@ -96,22 +95,23 @@ def spread(seed):
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_periods_are_those_of_the_distribution_at_every_height(seed, monkeypatch):
+def test_periods_are_those_of_the_distribution_at_every_height(seed):
     """Also at heights without sea states in the record, for which the fitted functions are extrapolated."""
     pytest.importorskip("virocon")
-    monkeypatch.setattr(contours, "DRAWS", 1)
     one, deviation = spread(seed)
     rows = np.array(contour(one, 50.0).rows, float)
     beta = norm.isf(6.0 / (50.0 * 8766.0))
     normal = beta * np.sin(2.0 * np.pi * np.arange(len(rows)) / len(rows))
     true = 1.4 + 0.4 * np.sqrt(rows[:, 1]) + deviation * normal
-    assert np.abs(np.log(rows[:, 4]) - true).max() <= 0.2
+    off = np.abs(np.log(rows[:, 4]) - true)
+    assert off.max() <= 0.2
+    # above a tenth of the record's seas, where fits to bins of half a metre have errors of up to 2 % and more
+    assert off[rows[:, 1] > np.quantile(one["significant_wave_height"], 0.1)].max() <= 0.06
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_periods_of_swell_and_wind_waves_are_doubted(seed, monkeypatch):
+def test_periods_of_swell_and_wind_waves_are_doubted(seed):
     pytest.importorskip("virocon")
-    monkeypatch.setattr(contours, "DRAWS", 1)
     one, _ = spread(seed)
     assert not doubts(one, contour(one, 50.0))
     draw = np.random.default_rng(seed)
@@ -136,3 +136,45 @@ def test_without_the_library_one_line_says_how_to_get_it(monkeypatch):
     monkeypatch.setitem(sys.modules, "virocon", None)
     with pytest.raises(InputError, match=r"install it with pip install 'riserstudy\[contours\]'"):
         contour(synthetic(6, 1), 50.0)
+
+
+@pytest.mark.long
+def test_bands_contain_the_true_contour():
+    """At all points with waves above the mean height; neighbouring points have the same errors.
+
+    By years drawn with replacement and periods by bins, they contained 60 % of heights and of periods.
+    """
+    pytest.importorskip("virocon")
+    beta, count = norm.isf(6.0 / (50.0 * 8766.0)), 40
+    normal = 2.0 * np.pi * np.arange(24) / 24
+    height = SCALE * (-norm.logsf(beta * np.cos(normal))) ** (1.0 / SHAPE)
+    period = np.exp(1.6 + 0.25 * np.sqrt(height) + 0.12 * beta * np.sin(normal))
+    held = np.zeros((2, 24))
+    for seed in range(count):
+        rows = np.array(contour(record(6, seed + 50), 50.0).rows, float)
+        held[0] += (rows[:, 2] <= height) & (height <= rows[:, 3])
+        held[1] += (rows[:, 5] <= period) & (period <= rows[:, 6])
+    share = held[:, height > 2.0].mean(axis=1) / count
+    assert share.min() >= 0.78  # nine in ten, and 2.5 standard errors
+    assert share.max() <= 0.98
+
+
+@pytest.mark.parametrize("every, seed", [(2, 0), (3, 1)])
+def test_rows_without_a_period_change_no_contour(every, seed):
+    """Against the record without these rows, of which each stands for a longer interval."""
+    pytest.importorskip("virocon")
+    whole = record(6, seed)
+    lacking = whole.copy(deep=True)
+    lacking["peak_period"][np.arange(whole.sizes["time"]) % every != 0] = np.nan
+    few = whole.isel(time=slice(None, None, every)).assign_attrs(interval_hours=6.0 * every)
+    assert contour(lacking, 50.0).rows == contour(few, 50.0).rows
+
+
+@pytest.mark.parametrize("seed", range(2))
+def test_too_few_periods_are_named(seed):
+    """Periods are missing at random: the record itself is complete."""
+    pytest.importorskip("virocon")
+    one = record(6, seed)
+    lost = np.random.default_rng(seed).random(one.sizes["time"]) < 0.4
+    with pytest.raises(InputError, match="only 0 of 6 years have a height and a period in at least 80%"):
+        contour(one.assign(peak_period=one["peak_period"].where(~lost)), 50.0)

@@ -82,7 +82,7 @@ def test_missing_values_and_another_unit_change_nothing_that_they_should_not():
 
 def test_few_years_are_refused():
     record = synthetic(3, 1)
-    with pytest.raises(InputError, match="5 or more, which return values require"):
+    with pytest.raises(InputError, match="5 or more such years"):
         return_values(record["time"].values, record["significant_wave_height"].values, 1.0, [100.0])
 
 

@@ -120,9 +120,7 @@ def test_longer_periods_have_larger_values_and_each_a_band():
     assert rows[0][2] < rows[1][2]
 
 
-@pytest.mark.parametrize(
-    "seeds, years, told", [(1, 20, "--seeds 5 or more"), (5, 3, "5 or more, which return values require")]
-)
+@pytest.mark.parametrize("seeds, years, told", [(1, 20, "--seeds 5 or more"), (5, 3, "5 or more such years")])
 def test_what_cannot_be_known_is_refused(seeds, years, told):
     with pytest.raises(InputError, match=told):
         returned(demands(heights(A_YEAR * years, 6), seeds=seeds), [50])

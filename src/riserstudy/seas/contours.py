@@ -1,4 +1,4 @@
-"""Environmental contours of height and peak period by the library virocon, with a band of whole years.
+"""Environmental contours of height and peak period by the library virocon, with a band from whole years.
 
 virocon is an optional extra: ``pip install 'riserstudy[contours]'``.
 """
@@ -6,15 +6,18 @@ virocon is an optional extra: ``pip install 'riserstudy[contours]'``.
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
+from riserstudy.seas.periods_of_heights import fitted
+from riserstudy.seas.record import interval_of_rows
 from riserstudy.seas.return_values import whole_years
 from riserstudy.seas.year_bands import BAND
+from riserstudy.study.spacing import check_spacing
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -22,7 +25,6 @@ if TYPE_CHECKING:
 FloatArray = NDArray[np.float64]
 PLACES = 24  # number of points on a contour
 BEYOND = 1.5  # largest ratio of a period of a contour to the longest period of the record
-DRAWS = 20  # number of samples of the whole years, drawn with replacement
 COLUMNS = [
     *("return period", "significant wave height", "height from", "height to"),
     *("peak period", "period from", "period to"),
@@ -30,14 +32,16 @@ COLUMNS = [
 UNITS = ["years", "m", "m", "m", "s", "s", "s"]
 
 
-def contour(record: xr.Dataset, years: float, seed: int = 0) -> Table:
+def contour(record: xr.Dataset, years: float) -> Table:
     """A contour with a return period in years, one row for each of its points, with a band.
 
     Calm rows, without waves, count as time, but not as sea states. The method is the inverse first-order
-    reliability method, with a three-parameter Weibull distribution of heights and a log-normal distribution
-    of periods for a given height. The band contains nine in ten contours from years drawn with replacement,
-    separately for each point of the circle of normal variables. Raises InputError when virocon is absent, the
-    record has no peak periods, fewer than five years are nearly whole, or the distributions cannot be fitted.
+    reliability method, with a three-parameter Weibull distribution of heights and a log-normal
+    distribution of periods for a given height. The band is by the jackknife: from contours that each
+    leave out one whole year, with Student's distribution, for each point of the circle of normal
+    variables. Raises InputError when virocon is absent, the record has no peak periods, fewer than five
+    years are nearly whole, rows with both values have another interval in a part of the record, or the
+    distributions cannot be fitted.
 
     Parameters
     ----------
@@ -46,7 +50,8 @@ def contour(record: xr.Dataset, years: float, seed: int = 0) -> Table:
 
     References
     ----------
-    Winterstein et al. 1993, ICOSSAR; DNV-RP-C205, 3.6.3 and 3.7.2.
+    Winterstein et al. 1993, ICOSSAR; DNV-RP-C205, 3.6.3 and 3.7.2; Efron and Tibshirani 1993, An Introduction
+    to the Bootstrap, chapter 11.
     """
     _import()
     if "peak_period" not in record:
@@ -56,23 +61,34 @@ def contour(record: xr.Dataset, years: float, seed: int = 0) -> Table:
     states = np.column_stack([record[name].values for name in ("significant_wave_height", "peak_period")])
     calm = states[:, 0] == 0.0
     known = np.isfinite(states).all(axis=1) & ~calm
-    interval = float(record.attrs["interval_hours"])
-    whole = whole_years(record["time"].values, known | calm, interval)
+    time = record["time"].values
+    check_spacing("RECORD", time[known | calm])
+    # longer than the interval between heights if only every third row has a period
+    interval = interval_of_rows(time[known | calm], float(record.attrs["interval_hours"]))
+    whole = whole_years(time, known | calm, interval, "a height and a period")
     found = _contour(states[known], interval_of(known, calm, interval), years)
-    draw = np.random.default_rng(seed)
-    drawn = []
-    for _ in range(DRAWS):
-        chosen = draw.integers(len(whole), size=len(whole))
-        rows = np.concatenate([np.flatnonzero(whole[k] & (known | calm)) for k in chosen])
-        seas = known[rows]
-        apart = interval_of(seas, calm[rows], interval)
-        drawn.append(_contour(states[rows[seas]], apart, years))
-    low, high = np.quantile(drawn, BAND, axis=0)
+    without = [
+        _contour(states[known & ~year], interval_of(known & ~year, calm & ~year, interval), years)
+        for year in whole
+    ]
+    low, high = _band(found, np.array(without))
     rows_of: list[list[Cell]] = [
         [years, *(float(each[k, side]) for side in (0, 1) for each in (found, low, high))]
         for k in range(PLACES)
     ]
     return Table(COLUMNS, UNITS, rows_of)
+
+
+def _band(found: FloatArray, without: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Ends of the band of a contour, (n, 2), from those without each year, (years, n, 2), in m and s."""
+    from scipy.special import stdtrit
+
+    count = len(without)
+    each = np.stack([without[..., 0], np.log(without[..., 1])], axis=-1)  # periods are log-normal
+    squares = ((each - each.mean(axis=0)) ** 2).sum(axis=0)
+    height, period = (stdtrit(count - 1, BAND[1]) * np.sqrt((count - 1) / count * squares)).T
+    low = np.column_stack([np.maximum(found[:, 0] - height, 0.0), found[:, 1] * np.exp(-period)])
+    return low, np.column_stack([found[:, 0] + height, found[:, 1] * np.exp(period)])
 
 
 def doubts(record: xr.Dataset, table: Table) -> list[str]:
@@ -107,6 +123,8 @@ def _contour(states: FloatArray, interval: float, years: float) -> FloatArray:
 
     Raises InputError when the distributions cannot be fitted.
     """
+    from scipy.special import ndtri
+
     virocon = _import()
     described, fits, _ = virocon.get_DNVGL_Hs_Tz()
     model = virocon.GlobalHierarchicalModel(described)
@@ -122,23 +140,13 @@ def _contour(states: FloatArray, interval: float, years: float) -> FloatArray:
     heights: FloatArray = virocon.IFORMContour(model, alpha, n_points=PLACES).coordinates[:, 0]
     # the smallest height of a fit may be below zero, where there is no sea and no period
     heights = np.maximum(heights, 0.0)
-    return np.column_stack([heights, _periods(model.distributions[1], heights, alpha)])
-
-
-def _periods(fitted: Any, heights: FloatArray, alpha: float) -> FloatArray:
-    """Peak periods (s) for the heights (m) of the points of a contour, (PLACES,).
-
-    ``fitted``: log-normal distribution of virocon, of which mean and standard deviation of the logarithm are
-    functions of the height, fitted to bins of heights. The standard deviation is an exponential function,
-    which may be very large below the lowest bin or above the highest; there, it has the value at this bin.
-    """
-    from scipy.special import ndtri
-
-    bins = np.asarray(fitted.conditioning_values, float)
-    mean = fitted.conditional_parameters["mu"](heights)
-    deviation = fitted.conditional_parameters["sigma"](np.clip(heights, bins.min(), bins.max()))
+    of_bins = model.distributions[1]
+    start = [v for name in ("mu", "sigma") for v in of_bins.conditional_parameters[name].parameters.values()]
+    bins = np.asarray(of_bins.conditioning_values, float)
+    # the exponential function may be very large below the lowest bin or above the highest
+    periods = fitted(states, start, np.array([bins.min(), bins.max()]))
     normal = -ndtri(alpha) * np.sin(2.0 * np.pi * np.arange(PLACES) / PLACES)
-    return np.asarray(np.exp(mean + deviation * normal))
+    return np.column_stack([heights, periods.at(heights, normal)])
 
 
 def _import():  # type: ignore[no-untyped-def]

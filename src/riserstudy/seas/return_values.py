@@ -137,9 +137,9 @@ def return_values(
 
 
 def whole_years(
-    time: NDArray[np.datetime64], known: NDArray[np.bool_], interval: float
+    time: NDArray[np.datetime64], known: NDArray[np.bool_], interval: float, values: str = "a value"
 ) -> list[NDArray[np.bool_]]:
-    """Rows (n,) of each nearly complete year (interval: hours between rows).
+    """Rows (n,) of each nearly complete year (interval: hours between rows); ``values``: of known rows.
 
     Raises InputError when there are fewer than five.
     """
@@ -147,8 +147,8 @@ def whole_years(
     rows = [year == one for one in np.unique(year)]
     whole = [of for of in rows if int(known[of].sum()) * interval >= WHOLE * 8766.0]
     if len(whole) < FEWEST_YEARS:
-        found = f"only {len(whole)} years of the record are nearly complete"
-        allowed = f"give a record with {FEWEST_YEARS} or more, which return values require"
+        found = f"only {len(whole)} of {len(rows)} years have {values} in at least {WHOLE:.0%} of their hours"
+        allowed = f"give a record with {FEWEST_YEARS} or more such years"
         raise InputError("RECORD", "time", found, allowed)
     return whole
 
