@@ -245,12 +245,12 @@ class Top(Strict):
     computes the height of the top in static equilibrium. Tension, tension loss, lateral force, tensioners and
     body are absent if they are not given. With ``held_at_tension``, the engine holds the top at the height at
     which the vertical component of the pull on the static riser equals the given force. If there is a body at
-    the top, the pull just below the body equals the given force of ``held_at_tension``. In the computation of
-    the height for ``held_at_tension``, the platform is in its position in calm water, and the current has its
-    full speed. With ``x: platform``, or with ``x: vessel`` and a ``platform`` in the scene, a flex joint or
-    clamp (``rotation: fixed``) at the top rotates with the platform. With a telescopic joint, the top is the
-    upper end of the joint, and ``tension``, ``tensioners``, ``lateral_force`` and ``body`` are at the tension
-    ring, below the joint.
+    the top, the pull just below the body equals the given force of ``held_at_tension``. The height for
+    ``held_at_tension`` is computed with the platform in its position in calm water, and with the current at
+    its full speed. With ``x: platform``, or with ``x: vessel`` and a ``platform`` in the scene, a flex joint
+    or clamp (``rotation: fixed``) at the top rotates with the platform. With a telescopic joint, the top is
+    the upper end of the joint, and ``tension``, ``tensioners``, ``lateral_force`` and ``body`` are at the
+    tension ring, below the joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

@@ -108,11 +108,10 @@ class InLineExcitation(Strict):
 
     The amplitude of the varying drag per length is C_x rho D / 2 times the squared flow speed. In this
     formula, C_x is the key ``coefficient``, rho the density of the water, and D the diameter. The value of
-    C_x is not known; values of 0.1 to 1 are plausible assumptions. The key ``frequencies`` lists three
-    frequencies of the varying drag, as multiples of flow speed divided by diameter. The first of the three
-    frequencies is the lowest, and the third is the highest. The frequencies along the flow are about twice
-    the frequencies across the flow. For the three frequencies, the multiples 0.22, 0.36 and 0.52 are
-    assumptions, each with a range of ±25 %.
+    C_x is not known; values of 0.1 to 1 are plausible assumptions. The key ``frequencies`` lists the lowest,
+    the in-phase and the highest frequency of the varying drag, as multiples of flow speed divided by
+    diameter. Frequencies along the flow are about twice the frequencies across the flow. The values 0.22,
+    0.36 and 0.52 of ``frequencies`` are assumptions, each with a range of ±25 %.
     """
 
     coefficient: Annotated[float, POSITIVE]
@@ -133,16 +132,15 @@ class VortexInducedVibration(Strict):
     the riser. A section with ``viv`` must also have drag across the pipe, because drag limits the amplitude
     of the vibration. The engine simulates a scene with ``viv`` in three dimensions.
 
-    The key ``coefficient`` is C_v; its published value is 1.2. The key ``frequencies`` lists three
-    frequencies of the lift force, as multiples of flow speed divided by diameter. The first of the three
-    frequencies is the lowest, and the third is the highest. At the second frequency, the lift force and the
-    velocity of the riser are in phase. The published values of the three frequencies are 0.11, 0.18 and 0.26.
-    The engine computes running mean squares of the motion, over the time in which the water flows a distance
-    of ``memory`` diameters, for example 20. The key ``seed`` determines the initial phases of the lift force,
-    which vary smoothly along the riser. The key ``ramp`` is the time over which the lift force increases from
-    zero to its full amplitude. The default of ``ramp`` is ten periods of vortex shedding in the fastest
-    current. The key ``in_line`` adds an excitation along the flow; without this key, vortices cause no
-    excitation along the flow.
+    The key ``coefficient`` is C_v; its published value is 1.2. The key ``frequencies`` lists the lowest, the
+    in-phase and the highest frequency of the lift force, as multiples of flow speed divided by diameter. At
+    the in-phase frequency, the lift force and the velocity of the riser are in phase. The published values of
+    ``frequencies`` are 0.11, 0.18 and 0.26. The engine computes running mean squares of the motion, over the
+    time in which the water flows a distance of ``memory`` diameters, for example 20. The key ``seed``
+    determines the initial phases of the lift force, which vary smoothly along the riser. The key ``ramp`` is
+    the time over which the lift force increases from zero to its full amplitude. The default of ``ramp`` is
+    ten periods of vortex shedding in the fastest current. The key ``in_line`` adds an excitation along the
+    flow; without this key, vortices cause no excitation along the flow.
     """
 
     model: Literal["synchronisation"]

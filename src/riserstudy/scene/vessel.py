@@ -178,11 +178,11 @@ class Vessel(Strict):
     along x, the vessel does not sway or turn, and the engine omits sway and yaw. The engine solves vessel and
     riser as one system; with the key ``coupling``, it solves them in turn.
 
-    In a scene with a ``vessel``, the key ``platform`` gives the first-order (wave-frequency) motions. The
-    riser's top and the deck move with the sum of the slow motion of the vessel and the first-order motions.
-    Hull drag, inertia and thrusters respond only to the slow motion. The mean wave drift is a constant force.
-    The outputs ``low_frequency_surge`` and ``low_frequency_sway`` give the slow motion. The outputs
-    ``platform_surge`` and ``platform_sway`` give the sum of slow and first-order motion.
+    The riser's top and the deck move with the sum of the slow motion of the vessel and the first-order
+    (wave-frequency) motions, which the key ``platform`` gives. Hull drag, inertia and thrusters respond only
+    to the slow motion. The mean wave drift is a constant force. The outputs ``low_frequency_surge`` and
+    ``low_frequency_sway`` give the slow motion. The outputs ``platform_surge`` and ``platform_sway`` give the
+    sum of slow and first-order motion.
     """
 
     mass: Annotated[u.Mass, POSITIVE]
