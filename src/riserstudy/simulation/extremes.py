@@ -76,7 +76,9 @@ def _peaks(scene: Resolved, name: str, of: Seen) -> Mapping[str, Peak]:
     held = until_release(scene, name, of.steps)
     if held is of.steps:
         return of.peaks
-    return {**of.peaks, **peaks_of(held["time"], {name: held[name]})}
+    count = len(held["time"])
+    vectors = {name: of.rotations[name][:count]} if name in of.rotations else {}
+    return {**of.peaks, **peaks_of(held["time"], {name: held[name]}, vectors)}
 
 
 def _seen_by_steps(

@@ -260,12 +260,12 @@ def _seen(
     """Values at all time steps, and their peaks; empty if not all steps were recorded."""
     seen = Seen()
     every_step = steps_of(record.value)
-    if judged and len(model.s.dim) == 3:
+    if len(model.s.dim) == 3 and (judged or every_step):
         seen.rotations = outputs.rotations(scene, model, mesh, every_step or record.value)
     if not every_step:
         return seen
     series = outputs.over_time(scene, model, mesh, every_step, rest)
-    seen.peaks = peaks_of(every_step.time, series)
+    seen.peaks = peaks_of(every_step.time, series, seen.rotations)
     seen.steps = {"time": every_step.time, **series}
     return seen
 

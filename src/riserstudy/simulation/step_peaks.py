@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from riserstudy.model.model import Model
 from riserstudy.records.seen import Peak
+from riserstudy.simulation.smallest_sizes import smallest_size
 from riserstudy.solve.record import Record
 
 FloatArray = NDArray[np.float64]
@@ -40,9 +41,17 @@ def steps_of(record: Record) -> Record | None:
     )
 
 
-def peaks_of(times: FloatArray, series: Arrays) -> dict[str, Peak]:
-    """Peaks of series over the times of the steps (s), (steps,) or (steps, cylinders), by name."""
-    return {name: _peak(times, values.reshape(len(times), -1)) for name, values in series.items()}
+def peaks_of(times: FloatArray, series: Arrays, vectors: Arrays | None = None) -> dict[str, Peak]:
+    """Peaks of series over the times of the steps (s), (steps,) or (steps, cylinders), by name.
+
+    ``vectors``: vectors, (steps, 3), of the series that are their magnitudes, by name.
+    """
+    peaks = {name: _peak(times, values.reshape(len(times), -1)) for name, values in series.items()}
+    for name, of in (vectors or {}).items():
+        if name in peaks:
+            least, time = smallest_size(times, of)
+            peaks[name] = peaks[name]._replace(smallest=least, smallest_time=time)
+    return peaks
 
 
 def within(histories: Arrays, peaks: dict[str, Peak], sizes: Collection[str]) -> Arrays:
