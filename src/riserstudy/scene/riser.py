@@ -215,10 +215,10 @@ class Section(Strict):
 
     Give the axial and the bending stiffness, or give Young's modulus and the diameters, from which the engine
     computes both stiffnesses. A section without bending stiffness is a string: it carries no bending moment.
-    Give the mass, or ``wall_density``, from which the engine computes the mass. If neither key is given, the
-    mass is zero. If at least one section has a shear modulus, the torsion of the riser resists the yaw of a
-    vessel, and sections without a shear modulus are rigid in torsion. Other properties that are not given,
-    such as drag and contents, are zero or absent.
+    Give the mass, or ``wall_density``, from which the engine computes the mass. Without ``mass`` and
+    ``wall_density``, the mass is zero. If at least one section has a shear modulus, the torsion of the riser
+    resists the yaw of a vessel, and sections without a shear modulus are rigid in torsion. Other properties
+    that are not given, such as drag and contents, are zero or absent.
 
     The key ``submerged_weight`` is the weight of the pipe with everything fixed to it, minus the weight of
     the water that the *outer* surface displaces. The key ``submerged_weight`` does not include the weight of
