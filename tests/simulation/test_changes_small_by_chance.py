@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from riserstudy.scene.limits import OF_ONE_PLACE
-from riserstudy.simulation.error_estimate import LEAST_FALL, MOST_FALL, estimate
+from riserstudy.simulation.remaining_error import LEAST_FALL, MOST_FALL, estimate
 
 COVERED = 2.3  # true over estimated error; where a change decreases as by second order, nothing shows more
 

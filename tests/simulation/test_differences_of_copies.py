@@ -9,7 +9,8 @@ from random_rigs import moving, written
 from riserstudy.advice.ablation import fixed
 from riserstudy.dataset.result import Result
 from riserstudy.scene.load import SceneFile
-from riserstudy.simulation.error_estimate import difference, estimate
+from riserstudy.simulation.error_estimate import difference
+from riserstudy.simulation.remaining_error import estimate
 from riserstudy.simulation.run import single
 
 ENDS = ("_max", "_min", "_static", "")

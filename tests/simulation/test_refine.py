@@ -13,8 +13,8 @@ from riserstudy.model.mesh import even
 from riserstudy.records.warning import sentences
 from riserstudy.scene.load import read_scene
 from riserstudy.simulation import refinement as module
-from riserstudy.simulation.error_estimate import estimate
 from riserstudy.simulation.refine import run
+from riserstudy.simulation.remaining_error import estimate
 from riserstudy.simulation.run import single
 from riserstudy.simulation.time_limit import Watch
 

@@ -8,8 +8,8 @@ import pytest
 
 from riserstudy.errors import SimulationError
 from riserstudy.simulation import prescribed_run, refinement
-from riserstudy.simulation.error_estimate import MOST_FALL
 from riserstudy.simulation.prescribed_run import refuse_unseen_periods
+from riserstudy.simulation.remaining_error import MOST_FALL
 
 
 def scene(step, duration=100.0, regular=None, shortest=None):

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from copy import copy
 
-from riserstudy.simulation.error_estimate import MOST_FALL, controlled, estimate
+from riserstudy.simulation.error_estimate import controlled
+from riserstudy.simulation.remaining_error import MOST_FALL, estimate
 
 UNKNOWN_FALL = 8.0  # decrease of an error by its next halving, if there was only one
 

@@ -11,8 +11,9 @@ from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.records.numerals import at_most
 from riserstudy.records.warning import NOT_ESTIMATED, warning
 from riserstudy.scene.resolve import Resolved
-from riserstudy.simulation.error_estimate import LEAST_FALL, MOST_FALL, difference
+from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.halved import Halved, enter, error_of
+from riserstudy.simulation.remaining_error import LEAST_FALL, MOST_FALL
 from riserstudy.simulation.resolving_mesh import are_halved, error_from_resolved, larger
 from riserstudy.simulation.run import march, single
 from riserstudy.simulation.sampling_error import floor, of_two_runs
