@@ -108,7 +108,7 @@ class Page(HTMLParser):
         self.anchors |= {found["id"]} if "id" in found else set()
         if tag == "img" and "alt" not in found:
             raise AssertionError(f"no words for an image: {self.getpos()}")
-        if tag not in ("img", "meta", "link", "br"):
+        if tag not in ("img", "meta", "link", "br", "wbr"):
             self.open.append(tag)
 
     def handle_endtag(self, tag):

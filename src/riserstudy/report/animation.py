@@ -21,11 +21,12 @@ from riserstudy.report.motion import Motion
 # shares of the width: riser, colour bar, start of histories
 RISER, BAR, HISTORIES = (0.0, 0.4), 0.43, 0.61
 HEIGHT = 560  # of the figure (pixels)
-NARROW = 890  # the same with the histories below the riser
+NARROW = 790  # the same with the histories below the riser
 #: in that layout, as shares: bottom, top and width of the riser's view; height of all histories
-ABOVE, BELOW = (0.53, 1.0, 0.7), 0.42
+ABOVE, BELOW = (0.59, 1.0, 0.7), 0.48
 FARTHER = 1.45  # factor on the distance of the camera in space, where labels need room
 RISER_ASPECT = 0.95  # width over height of the side view, for the calculation of its scale
+LONG = 18  # letters of the label of a history, above which its unit has a separate row
 NICE = np.array([1.0, 2.0, 5.0])
 # breadth of the view in space over its height: at most, for the wider; at least
 WIDE, SLIM = 0.6, 0.06
@@ -69,7 +70,10 @@ def animation(motion: Motion) -> str:
         font=FONT,
         margin={"l": 60, "r": 20, "t": 20, "b": 20},
         showlegend=False,
+        separators=".\u00a0",  # of thousands, from five digits on
     )
+    figure.update_xaxes(exponentformat="none")
+    figure.update_yaxes(exponentformat="none")
     frames = [
         {"name": f"{k}", "traces": changed, "data": [*moving(k), *cursors(k)]}
         for k in range(len(motion.time))
@@ -94,8 +98,9 @@ def _riser_traces(motion: Motion) -> tuple[go.Scatter, list[go.Scatter], Moving]
     if both_ways:
         low, high = -max(-low, high), max(-low, high)
     shade = {"colorscale": DIVERGING if both_ways else "Viridis", "cmin": low, "cmax": high}
-    title = f"{motion.quantity}<br>({motion.unit})"
+    title = "<br>".join([*motion.quantity.split(), f"({motion.unit})"])  # narrower than the gap on its right
     bar = {"title": {"text": title, "font": {"size": 11}}, "len": 0.6, "thickness": 10, "x": BAR}
+    bar |= {"exponentformat": "none"}
     if motion.y is not None:
         return _in_space(motion, shade, bar)
     return _from_the_side(motion, shade, bar)
@@ -190,7 +195,10 @@ def _histories(figure: go.Figure, motion: Motion) -> Moving:
             )
         values = np.concatenate(list(history.lines.values()))
         limits.append((float(np.nanmin(values)), float(np.nanmax(values))))
-        label = history.label + "".join(
+        label = history.label
+        if len(label) > LONG:
+            label = label.replace(" (", "<br>(")
+        label += "".join(
             f"<br><span style='color:{colour}'>{name}</span>"
             for colour, name in zip(COLOURS, history.lines, strict=False)
         )
@@ -343,8 +351,8 @@ def _narrow(motion: Motion, rows: int) -> dict[str, Trace]:
         name = "" if axis == 1 else f"{axis}"
         top = BELOW - row * (each + 0.05)
         layout |= {f"xaxis{name}.domain": [0.08, 1.0], f"yaxis{name}.domain": [top - each, top]}
-    layout |= {"sliders[0].x": 0.0, "sliders[0].len": 1.0, "sliders[0].y": -0.07}
-    layout |= {"updatemenus[0].y": -0.14}
+    layout |= {"sliders[0].x": 0.0, "sliders[0].len": 1.0, "sliders[0].y": -0.08}
+    layout |= {"updatemenus[0].y": -0.16}
     bar = "line.colorbar" if motion.y is not None else "marker.colorbar"
     middle = 0.5 * (ABOVE[0] + ABOVE[1])
     riser: Trace = {f"{bar}.x": ABOVE[2] + 0.02, f"{bar}.y": middle, f"{bar}.len": 0.3}

@@ -11,9 +11,16 @@ from markupsafe import Markup, escape
 
 from riserstudy.records import words
 from riserstudy.records.numerals import duration
-from riserstudy.records.units import after_number
+from riserstudy.records.units import RAISED, after_number
 from riserstudy.records.words import listed, sentence
 
+LEAST_SHARE = 1e-4  # %, least share that is written with its digits
+_MINUS = re.compile(r"(?<![\w.)\]])-(?=\.?\d)")
+_UNIT = "%|°|[kMG]?(?:N|Pa|J)|[cmk]?m|m?s|min|h|t|kg|kn|bar|Hz"
+_MANY_DIGITS = re.compile(r"(?<![\w.,])\d{5,}(?!\w)")
+_BEFORE_UNIT = re.compile(rf"(?<=\d) (?=(?:{_UNIT})(?![A-Za-z\d]))|(?<=\b[kM]N) (?=m\b)")
+_REFERENCE = re.compile(r"\b((?:Fig|Eq)s?\.?|Table|section) (?=\d)")
+_POWER = re.compile(r"(?<=[\d.\s/(]m)([234])\b|\^([2-9])\b")
 _DOI = re.compile(r"\b10\.\d{4,9}/[^\s,;<>&]*[^\s,;.<>&]")
 
 
@@ -34,6 +41,8 @@ def share(value: object) -> str:
         return str(value)
     if math.isnan(plain):
         return ""
+    if 0.0 < abs(plain) < LEAST_SHARE:
+        return f"< {LEAST_SHARE:.4f} %"
     return f"{plain:.0f} %" if abs(plain) >= 10.0 else f"{plain:.2g} %"
 
 
@@ -47,9 +56,21 @@ def spaced(count: int) -> str:
     return f"{count:,}".replace(",", "\u00a0") if abs(count) >= 10_000 else str(count)
 
 
+def typeset(text: str) -> str:
+    """Return prose with signs as printed: minus signs, powers, and no line break before a unit."""
+    text = _POWER.sub(lambda m: (m[1] or m[2]).translate(RAISED), _MINUS.sub("−", text))
+    text = _MANY_DIGITS.sub(lambda m: spaced(int(m[0])), text)
+    return _REFERENCE.sub("\\1\u00a0", _BEFORE_UNIT.sub("\u00a0", text))
+
+
 def with_links(text: str) -> Markup:
     """Return a text whose DOIs are links."""
     return Markup(_DOI.sub(lambda m: f'<a href="https://doi.org/{m[0]}">{m[0]}</a>', str(escape(text))))
+
+
+def parts(name: str) -> list[str]:
+    """Return the parts of a dataset's name, between which a line may break: ``design/``, ``recoil_``, ..."""
+    return re.findall(r"[^/_]*[/_]|[^/_]+", name)
 
 
 WORDING: dict[str, Callable[..., object]] = {
@@ -59,6 +80,8 @@ WORDING: dict[str, Callable[..., object]] = {
     "counted": counted,
     "listed": listed,
     "sentence": sentence,
+    "typeset": typeset,
+    "parts": parts,
     "unit": after_number,
     "with_links": with_links,
 }

@@ -154,7 +154,7 @@ def _histories(run: xr.Dataset, scene: Resolved, moved: Array | None) -> list[Hi
     elif moved is not None:
         for names, start, label, unit in (
             (TRANSLATIONS, 0, "platform (m)", 1.0),
-            (TILTS, 3, "platform (deg)", DEGREES),
+            (TILTS, 3, "platform (°)", DEGREES),
         ):
             lines = {n: unit * moved[:, start + k] for k, n in enumerate(names)}
             if lines := {name: line for name, line in lines.items() if np.any(line)}:
@@ -165,7 +165,7 @@ def _histories(run: xr.Dataset, scene: Resolved, moved: Array | None) -> list[Hi
     joints = {"upper": "ufj_angle", "lower": "lfj_angle"}
     angles = {name: DEGREES * run[of].values for name, of in joints.items() if of in run}
     if angles:
-        rows.append(History("flex joints (deg)", angles))
+        rows.append(History("flex joints (°)", angles))
     if "bending_moment" in run and len(rows) < MOST_HISTORIES:
         largest = abs(run["bending_moment"]).max("s").values / 1e3
         rows.append(History("largest moment (kN m)", {"along the riser": largest}))
