@@ -87,7 +87,7 @@ def test_the_page_tells_what_came_of_the_years():
     assert f"{len(outside['5'])} of 5 five-year means" in first
     assert f"{len(outside['1'])} of {singles} values of single years" in first
     calmer = sum(float(o["came"]) > float(o["high"]) for part in outside.values() for o in part)
-    assert f"For {calmer} of the {sum(map(len, outside.values()))} shares" in " ".join(PAGE.split())
+    assert f"In {calmer} of the {sum(map(len, outside.values()))} cases" in " ".join(PAGE.split())
 
 
 def test_the_page_shows_the_sealed_years_of_the_hindcast():
@@ -111,7 +111,8 @@ def test_the_page_tells_what_came_of_the_hindcast():
         inside = float(one["low"]) <= float(one["came"]) <= float(one["high"])
         assert (one["inside"] == "yes") == inside
     held = sum(one["inside"] == "yes" for one in came)
-    assert f"{held} of {len(came)} observed shares ({held / len(came):.0%})".replace("%", " %") in PAGE
+    share = f"{held / len(came):.0%}".replace("%", " %")
+    assert f"{held} of {len(came)} observed shares of hours ({share})" in PAGE
     outside = [one for one in came if one["inside"] == "no"]
     assert {one["known"] for one in outside} == {"3"}
     assert all(float(one["came"]) > float(one["high"]) for one in outside)
