@@ -80,7 +80,7 @@ def study(tmp_path_factory):
 @pytest.fixture(scope="module")
 def made(study):
     """Its dataset, after each part was simulated by itself."""
-    for number in range(len(study.parts.grid)):
+    for number in range(1, len(study.parts.grid) + 1):
         simulate_part(study, number, 1, lambda _: None)
     return seas_hours(study, 1, lambda _: None)
 

@@ -147,7 +147,7 @@ def test_a_study_in_shards_is_right_after_three_of_them(tmp_path, monkeypatch, s
     (tmp_path / "points.json").write_text('{"mine/grid": [1000000, 50], "mine/other": [40, 1]}')
     draw = np.random.default_rng(seed)
     steps = [
-        (StepName.of_study("mine/grid", k, 50), 2e4 * seconds * draw.lognormal(0.0, 0.1))
+        (StepName.of_study("mine/grid", k + 1, 50), 2e4 * seconds * draw.lognormal(0.0, 0.1))
         for k in draw.permutation(50)
     ]
     steps += [(StepName.of_study("mine/other"), 3.0)]

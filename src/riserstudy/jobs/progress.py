@@ -176,7 +176,7 @@ class Progress:
             shards = self.shards[study]
             if rule == SHARD and shards > 1:
                 seconds = step + paces.get(study, point) * n / shards
-                times |= {StepName.of_study(study, k, shards): seconds for k in range(shards)}
+                times |= {StepName.of_study(study, k, shards): seconds for k in range(1, shards + 1)}
             elif rule == SIMULATE:
                 times[StepName.of_study(study)] = step + (point if shards == 1 else joined) * n
         return times or {StepName(rule): step}

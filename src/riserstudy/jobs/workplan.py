@@ -78,7 +78,7 @@ class Workplan(Configuration):
         """Markers of the jobs that share the points of a study; empty when one job simulates all."""
         shards = self.shards(paper, study)
         folder = f"results/{paper}/{study}.shards"
-        return [f"{folder}/{k}-of-{shards}" for k in range(shards)] if shards > 1 else []
+        return [f"{folder}/{k}-of-{shards}" for k in range(1, shards + 1)] if shards > 1 else []
 
     def kernels(self, paper: str, study: str, *_shard: str) -> list[str]:
         """Markers of the groups of kernels that a study uses."""
@@ -101,7 +101,7 @@ class Workplan(Configuration):
     def parts_of_seas(self, paper: str, name: str) -> list[str]:
         """Markers of the simulation jobs, one for each setting and heading."""
         count = len(self.seas(paper, name).parts.grid)
-        return [f"results/{paper}/{name}.seas/{k}-of-{count}" for k in range(count)]
+        return [f"results/{paper}/{name}.seas/{k}-of-{count}" for k in range(1, count + 1)]
 
     def kernels_of_seas(self, paper: str, name: str, *_part: str) -> list[str]:
         """Markers of the groups of kernels that these jobs use."""

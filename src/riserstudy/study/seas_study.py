@@ -76,8 +76,11 @@ class SeasStudy:
         return self.config / self.model.record if isinstance(self.model.record, str) else None
 
     def part(self, number: int) -> tuple[SceneFile, int]:
-        """Scene of a part's setting, and the index of its heading (0 if there is only one)."""
-        index = self.parts.plan[number].index
+        """Scene of a part's setting, and the index of its heading (0 if there is only one).
+
+        ``number``: number of the part, counted from 1.
+        """
+        index = self.parts.plan[number - 1].index
         if self.model.headings is None:
             return self.settings.grid.file(index), 0
         return self.settings.grid.file(index[:-1]), index[-1]

@@ -237,10 +237,13 @@ class Study:
                 yield from ({last_name(path): unwrap(value)[0]} for path, value in sets.items())
 
     def shard(self, number: int, shards: int) -> list[Point]:
-        """Points of one of several jobs, spread over the grid; a job does not plan the points of others."""
+        """Points of one of several jobs, spread over the grid; a job does not plan the points of others.
+
+        ``number``: number of the job, counted from 1.
+        """
         if "plan" in self.__dict__:
-            return self.plan[number::shards]
-        return list(self.grid.points(number, shards))
+            return self.plan[number - 1 :: shards]
+        return list(self.grid.points(number - 1, shards))
 
     @cached_property
     def digest(self) -> str:
