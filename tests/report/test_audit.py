@@ -6,8 +6,9 @@ from types import SimpleNamespace
 
 import pytest
 
+from riserstudy.records.numerals import spaced
 from riserstudy.report.audit import ERRORS, NO_REASON, audit, missed, relevant_errors, warned
-from riserstudy.report.formats import counted, spaced
+from riserstudy.report.formats import counted
 from riserstudy.scene.quantities import QUANTITIES
 
 COLUMNS = ["error_displacement", "error_moment", "error_tension", "error_angle"]

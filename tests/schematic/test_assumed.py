@@ -4,7 +4,7 @@ import random
 from pathlib import Path
 
 import pytest
-from matplotlib.text import Annotation
+from drawn_words import words
 
 from riserstudy.jobs.figure import from_scene
 from riserstudy.scene.load import load_scene
@@ -40,13 +40,6 @@ MARKED = {
     "platform.pitch.amplitude": "pitch ±4°*",
     "platform.pitch.period": "in 10 s*",
 }
-
-
-def words(figure):
-    """All that a schematic says."""
-    texts = [t for ax in figure.axes for t in ax.texts if isinstance(t, Annotation)]
-    said = [*(t.get_text() for t in texts), *(t.get_text() for t in figure.texts)]
-    return " ".join(" ".join(said).replace("\u00a0", " ").split())
 
 
 @pytest.mark.parametrize("seed", range(12))

@@ -5,6 +5,7 @@ from math import dist
 
 import numpy as np
 import pytest
+from drawn_words import labels
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Annotation
 from random_rigs import rig, written
@@ -46,8 +47,7 @@ def test_labels_of_a_rig_are_within_the_figure_and_do_not_touch(seed):
     figure = schematic(SceneFile("rig.yaml", written(tree)).resolved())
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
-    texts = [t for ax in figure.axes for t in ax.texts if isinstance(t, Annotation) and t.get_text()]
-    boxes = [super(Annotation, t).get_window_extent(canvas.get_renderer()) for t in texts]
+    boxes = [super(Annotation, t).get_window_extent(canvas.get_renderer()) for t in labels(figure)]
     key = figure.legends[0].get_window_extent(canvas.get_renderer())
     for first, second in combinations([key, *boxes], 2):
         assert not first.overlaps(second)

@@ -4,7 +4,7 @@ import random
 from pathlib import Path
 
 import pytest
-from matplotlib.text import Annotation
+from drawn_words import labels
 from random_rigs import rig, written
 
 from riserstudy.scene.limits import ABOVE
@@ -30,14 +30,10 @@ def divided(seed):
     return SceneFile("rig.yaml", tree).resolved()
 
 
-def labels(scene, assumed):
+def labels_of_sections(scene, assumed):
     """Texts of the labels of sections, by name of the section."""
-    texts = [
-        t.get_text().replace("\u00a0", " ")
-        for ax in schematic(scene, assumed=frozenset(assumed)).axes
-        for t in ax.texts
-        if isinstance(t, Annotation)
-    ]
+    drawn = labels(schematic(scene, assumed=frozenset(assumed)))
+    texts = [label.get_text().replace("\u00a0", " ") for label in drawn]
     return {
         section.name: text
         for section in scene.riser
@@ -52,7 +48,7 @@ def test_only_the_parts_of_a_section_whose_values_are_assumed_are_marked(seed):
     names = [section.name for section in scene.riser]
     assert any(name.endswith(ABOVE) for name in names)
     for k in range(len({section.line for section in scene.riser})):
-        found = labels(scene, {f"riser[{k}].outer_diameter", f"riser[{k}].submerged_weight"})
+        found = labels_of_sections(scene, {f"riser[{k}].outer_diameter", f"riser[{k}].submerged_weight"})
         own = {section.name for section in scene.riser if section.line == f"riser[{k}]"}
         assert len(found) >= 2
         for name, text in found.items():
@@ -64,7 +60,7 @@ def test_a_part_above_the_water_is_weighed_in_air(seed):
     scene = divided(seed)
     foot, lengths = scene.bottom.elevation, [section.total_length for section in scene.riser]
     foots = {section.name: foot + sum(lengths[:k]) for k, section in enumerate(scene.riser)}
-    for name, text in labels(scene, ()).items():
+    for name, text in labels_of_sections(scene, ()).items():
         dry = foots[name] > scene.water.surface - 1e-6
         assert ("in air" in text) == dry, text
         assert ("in water" in text) == (not dry), text
@@ -73,8 +69,10 @@ def test_a_part_above_the_water_is_weighed_in_air(seed):
 @pytest.mark.parametrize("below", ["2 m", "5 m", "9 m"])
 def test_a_body_that_turns_with_the_lower_end_moves_no_mark(below):
     assumed = {"riser[0].inner_diameter", "riser[0].submerged_weight"}
-    (name,) = labels(load_scene(TOWED).resolved(), assumed)
-    alone = labels(load_scene(TOWED).resolved(), assumed)[name]
-    turning = labels(load_scene(TOWED, **{"bottom.body.centre_below": below}).resolved(), assumed)[name]
+    (name,) = labels_of_sections(load_scene(TOWED).resolved(), assumed)
+    alone = labels_of_sections(load_scene(TOWED).resolved(), assumed)[name]
+    turning = labels_of_sections(
+        load_scene(TOWED, **{"bottom.body.centre_below": below}).resolved(), assumed
+    )[name]
     assert alone.count("*") == 2
     assert turning == alone

@@ -7,8 +7,8 @@ from functools import cache
 from pathlib import Path
 
 import pytest
+from drawn_words import words
 from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.text import Annotation
 
 from riserstudy.errors import InputError
 from riserstudy.scene.load import load_scene
@@ -43,13 +43,6 @@ def section(name, length, **more):
     about = {"axial_stiffness": "5e9 N", "bending_stiffness": "1e8 N*m^2", "mass": "500 kg/m"}
     load = {"submerged_weight": "1 kN/m", "lateral_load": "10 N/m"}
     return {"name": name, "length": f"{length} m"} | about | load | more
-
-
-def words(figure):
-    """All that a schematic says."""
-    texts = [t for ax in figure.axes for t in ax.texts if isinstance(t, Annotation)]
-    said = [*(t.get_text() for t in figure.texts), *(t.get_text() for t in texts)]
-    return " ".join(" ".join(said).replace("\u00a0", " ").split())
 
 
 def lower_and_upper(below, **parts):

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from drawn_words import labels, words
 from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -39,17 +40,6 @@ def drawn(paper, name):
     figure = from_scene(CONFIG, paper, name)
     FigureCanvasAgg(figure).draw()
     return figure
-
-
-def labels(figure):
-    """Texts beside the panels."""
-    return [t for ax in figure.axes for t in ax.texts if isinstance(t, Annotation) and t.get_text()]
-
-
-def words(figure):
-    """All that a schematic says."""
-    said = [*(t.get_text() for t in figure.texts), *(t.get_text() for t in labels(figure))]
-    return " ".join(" ".join(said).replace("\u00a0", " ").split())
 
 
 @pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)

@@ -15,6 +15,7 @@ from chapters.liu2020.figures.motion_shared import TIME
 from riserstudy.dataset.statistics import peaks
 from riserstudy.figures.direct import label_ends, label_line
 from riserstudy.figures.style import GREY, headline, key_below, legend_below, panel_title, panels
+from riserstudy.records.numerals import SPACED, spaced
 
 UNITS = {"small": "-", "medium": "--", "large": ":"}
 WAVE = "wave period (s)"
@@ -26,7 +27,6 @@ RESPONSES = {
     "stroke": ("stroke", "", "m", 1.0),
 }
 CALM = 14.0  # s, wave periods above which waves on the riser reduce its stress
-SPACED = 1e4  # least number with a space between the thousands
 SEA = "irregular sea of three hours, significant wave height 4 m, peak period 10 s"
 WINDOW = 300.0  # s, length of the plotted part of a sea-state history
 NEARLY_ALL, ROUND = 0.998, 0.1  # share of the variance in a plotted spectrum; rounding (Hz)
@@ -193,7 +193,7 @@ def sea(storm: xr.Dataset) -> Figure:
         middle.plot(density["frequency"][low], scale**2 * density[low], color=ON_TENSIONERS)
         middle.set_ylabel(f"density (({unit})²/Hz)" if " " in unit else f"density ({unit}²/Hz)")
         if middle.get_ylim()[1] >= SPACED:
-            middle.yaxis.set_major_formatter(_with_space)
+            middle.yaxis.set_major_formatter(lambda value, _: spaced(value))
         _exceeded(right, swing)
         right.set_ylabel("share of larger peaks")
         right.set_xlabel(f"|{short} − mean| ({unit})")
@@ -212,11 +212,6 @@ def sea(storm: xr.Dataset) -> Figure:
     least, most = min(worst.values()), max(worst.values())
     headline(figure, f"Moment, tension and stroke peak at {least:.1f} to {most:.1f} standard deviations")
     return figure
-
-
-def _with_space(value: float, _: float) -> str:
-    """Tick label without decimals, with a space between thousands from five digits on."""
-    return f"{value:,.0f}".replace(",", "\N{NO-BREAK SPACE}" if abs(value) >= SPACED else "")
 
 
 def _highest(density: xr.DataArray) -> float:

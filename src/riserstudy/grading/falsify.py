@@ -14,10 +14,8 @@ from riserstudy.errors import InputError
 from riserstudy.grading.false_claims import Falsified, false_claims_path
 from riserstudy.grading.grade import Checks, graded
 from riserstudy.grading.models import Item, PublishedFile
+from riserstudy.grading.summary import ACCEPTED
 from riserstudy.records.graded import Graded, Verdict
-
-#: verdicts that accept a value or claim as true
-ACCEPTED = ("reproduced", "calibrated", "holds")
 
 
 @dataclass(frozen=True)

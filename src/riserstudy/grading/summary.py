@@ -5,8 +5,14 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 
+from scipy.stats import binomtest
+
 from riserstudy.records.graded import Grounds, Verdict
-from riserstudy.records.words import listed
+from riserstudy.records.numerals import spaced
+from riserstudy.records.words import counted, listed
+
+#: verdicts that accept a value or claim as true
+ACCEPTED = ("reproduced", "calibrated", "holds")
 
 #: legend, in the order of verdicts
 VERDICTS = {
@@ -69,3 +75,33 @@ def _true_in_too_few(verdict: Verdict, grounds: Grounds) -> bool:
     """Whether all samples agree with a claim, but are too few for its verdict."""
     few, share = verdict == "depends" and grounds.because == "too few samples", grounds.share
     return few and share is not None and share.met == share.samples > 0
+
+
+def totals_of_false(verdicts: Sequence[str], originals: Sequence[str], subtle: int) -> str:
+    """Sentences that count the verdicts on false claims, with the 95 % confidence interval of the rate.
+
+    Parameters
+    ----------
+    verdicts : verdicts on the false claims, at least one.
+    originals : verdicts on the claims that they were made from.
+    subtle : number of false claims that differ only slightly from a claim of a paper.
+
+    References
+    ----------
+    Clopper and Pearson (1934): bounds of a share from the number of hits among independent draws.
+    """
+    count = len(verdicts)
+    accepted, believed = (sum(verdict in ACCEPTED for verdict in some) for some in (verdicts, originals))
+    failing, undecided = verdicts.count("fails"), verdicts.count("depends")
+    rest = count - accepted - failing - undecided
+    others = f" {rest} cannot be graded." if rest else ""
+    high = 100.0 * binomtest(accepted, count).proportion_ci(method="exact").high
+    return (
+        "The checks that judge the claims were tested with "
+        f"{counted(count, 'deliberately false claim', spaced)}. {subtle} of these differ only slightly from "
+        f"a claim of a paper. The checks accept {accepted or 'none'} of the false claims. {failing} fail, "
+        f"and {undecided} depend on unspecified inputs.{others} The false-positive rate is "
+        f"{100.0 * accepted / count:.0f} % (95 % confidence interval up to {high:.0f} %). The same checks "
+        f"accept {believed or 'none'} of the {counted(len(originals), 'original claim', spaced)}, from which "
+        "the false claims were made."
+    )

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 
+SPACED = 10_000  # least number with a space between its thousands
+
 
 def plain(value: float, digits: int = 3) -> str:
     """Return a number with few significant digits and without an exponent: ``39900``, ``0.00002``."""
@@ -21,6 +23,11 @@ def at_most(value: float, digits: int = 3) -> str:
 def rounded_up(value: float, digits: int = 1) -> str:
     """Return a positive bound on results, rounded up unless only a rounding error exceeds its digits."""
     return f"{Context(prec=digits, rounding=ROUND_CEILING).create_decimal(f'{value:.9g}'):f}"
+
+
+def spaced(value: float) -> str:
+    """Return a number without decimals: ``9999``, ``11 793``; thousands are apart from five digits on."""
+    return f"{value:,.0f}".replace(",", "\u00a0" if abs(value) >= SPACED else "")
 
 
 def percent(share: float) -> str:

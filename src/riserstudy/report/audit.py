@@ -15,9 +15,10 @@ from typing import Any, NamedTuple
 
 from riserstudy.dataset.limits import NOT_LIMITED
 from riserstudy.dataset.variables import quantity_of
+from riserstudy.records.numerals import spaced
 from riserstudy.records.warning import RunWarning, joint_sentence, warning
-from riserstudy.records.words import counted, listed
-from riserstudy.report.formats import share, spaced
+from riserstudy.records.words import listed
+from riserstudy.report.formats import counted, share
 from riserstudy.report.without_points import WithoutPoints, without_points
 from riserstudy.scene.fields import in_si
 from riserstudy.scene.quantities import QUANTITIES
@@ -103,13 +104,11 @@ class Missed(NamedTuple):
         if not self.off:
             silent = self.not_estimated + self.exact + prescribed - self.estimated
             known = self.points - silent
-            kept = (
-                f"At {counted(known, 'grid point', spaced)}, the estimated errors are within the tolerance."
-            )
-            other = f"At the other {counted(silent, 'grid point', spaced)}, the error was not estimated."
+            kept = f"At {counted(known, 'grid point')}, the estimated errors are within the tolerance."
+            other = f"At the other {counted(silent, 'grid point')}, the error was not estimated."
             return f"{kept} {other}" if silent else kept
         requested = self._with_a_tolerance
-        points = counted(prescribed, "grid point", spaced)
+        points = counted(prescribed, "grid point")
         sentence = (
             f"Mesh and time step are prescribed, instead of a tolerance, at {points}. "
             f"The error was estimated at {spaced(self.estimated)} of these points"
@@ -127,21 +126,21 @@ class Missed(NamedTuple):
     @property
     def _with_a_tolerance(self) -> str:
         """Errors of the points with a requested accuracy, in words."""
-        judged = counted(self.requested - self.not_estimated - self.exact, "grid point", spaced)
+        judged = counted(self.requested - self.not_estimated - self.exact, "grid point")
         text = (
             f"{spaced(self.missed_by_request)} of {judged} with a tolerance have larger errors"
             if self.missed_by_request
             else f"At {judged} with a tolerance, the estimated errors are within this tolerance"
         )
         if self.not_estimated:
-            more = counted(self.not_estimated, "other grid point", spaced)
+            more = counted(self.not_estimated, "other grid point")
             their = "its" if self.not_estimated == 1 else "their"
             text += (
                 f". At {more} with a tolerance, the error was not estimated, because {their} mesh and "
                 "time step were tuned in advance"
             )
         if self.exact:
-            more = counted(self.exact, "other grid point", spaced)
+            more = counted(self.exact, "other grid point")
             text += f". At {more}, the riser is a massless spring in equilibrium, so its mesh causes no error"
         return text
 

@@ -10,7 +10,7 @@ from functools import partial
 from markupsafe import Markup, escape
 
 from riserstudy.records import words
-from riserstudy.records.numerals import duration
+from riserstudy.records.numerals import duration, spaced
 from riserstudy.records.units import RAISED, after_number
 from riserstudy.records.words import listed, sentence
 
@@ -49,11 +49,6 @@ def share(value: object) -> str:
 def counted(count: int, thing: str) -> str:
     """Return a count with its noun: ``1 figure``, ``9 figures``."""
     return words.counted(count, thing, spaced)
-
-
-def spaced(count: int) -> str:
-    """Return a count as text, as in ``9999`` and ``11 793``: from five digits on, thousands are separated."""
-    return f"{count:,}".replace(",", "\u00a0") if abs(count) >= 10_000 else str(count)
 
 
 def typeset(text: str) -> str:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from riserstudy.records.numerals import spaced
 from riserstudy.records.words import sentence
 from riserstudy.report.claims import Claim, counted_verdicts
-from riserstudy.report.formats import counted, spaced
+from riserstudy.report.formats import counted
 from riserstudy.report.pictures import Figure
 from riserstudy.study.models import StudyFile
 

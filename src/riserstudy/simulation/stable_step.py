@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from riserstudy.model.model import Model
 from riserstudy.scene.resolve import Resolved
-from riserstudy.solve.evaluate import forces_and_tangent, move_to
+from riserstudy.solve.evaluate import move_to, shape_of
 from riserstudy.solve.modes import stable_step
 
 INSTANTS = 16  # number of times in the period of each harmonic motion at which strokes are sampled
@@ -33,7 +33,7 @@ def explicit_limit(scene: Resolved, model: Model) -> float:
     strokes = np.zeros((len(times), scene.top.tensioners.count))
     for k, time in enumerate(times):
         _move_platform(model, time, kept[0])
-        forces_and_tangent(model.programs, model.state)
+        shape_of(model.programs, model.state)
         strokes[k] = state.reach[: strokes.shape[1]]
     for k in {*map(int, strokes.argmin(axis=0)), *map(int, strokes.argmax(axis=0))}:
         _move_platform(model, times[k], kept[0])

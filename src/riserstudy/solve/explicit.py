@@ -8,14 +8,12 @@ state must have mass shares (1/2, 0); the mass matrix is then one block per node
 
 from __future__ import annotations
 
-import numpy as np
-
 from riserstudy.solve.envelopes import widen
 from riserstudy.solve.evaluate import load, move, shape, true_moments
 from riserstudy.solve.interpolate import interpolate
 from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.program import call_all
-from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY, clear, copy
+from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY, clear, copy, new_before
 from riserstudy.solve.sums import DONE, EVALUATIONS, NOT_CONVERGED, STOPPED, enter, fail
 from riserstudy.solve.vec import at, outer, put, solved
 from riserstudy.solve.write_down import due, evaluate_and_note, remember
@@ -112,10 +110,7 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, sums):
     Returns NOT_CONVERGED as soon as the sum of squared velocities is not below ``bound``, and STOPPED if
     ``sums.stop`` is set.
     """
-    d = len(s.dim)
-    n = s.r.shape[1] - 1  # the last node, loose ones included
-    r0, v0, a0 = np.zeros((d, n + 1)), np.zeros((d, n + 1)), np.zeros((d, n + 1))
-    v1 = np.zeros((d, n + 1))
+    before, after = new_before(s), new_before(s)
     s.rate[VELOCITY], s.rate[ACCELERATION] = 0.0, 1.0
     start = s.clock[0]
     move(p, s, start)
@@ -131,21 +126,23 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, sums):
             return STOPPED
         written = due(record, t + h * (1.0 - 1e-9))
         if written:
-            copy(r0, s.r)
-            copy(a0, s.a)
-            halfway(s, h, v0)
+            copy(before.r, s.r)
+            copy(before.a, s.a)
+            halfway(s, h, before.v)
         if not advance(s, h) < bound:
-            halfway(s, -h, v0)
-            return failed(sums, v0, t, h)
+            halfway(s, -h, before.v)
+            return failed(sums, before.v, t, h)
         move(p, s, t + h)
         power1 = accelerate(p, s, fixed)
         lost, given = flow(p, s)
         sums.count[EVALUATIONS] += 1
         if written:
-            halfway(s, h, v1)
+            copy(after.r, s.r)
+            copy(after.a, s.a)
+            halfway(s, h, after.v)
         while due(record, t + h * (1.0 - 1e-9)):
             time = record.time[record.written[0]]
-            interpolate(so, r0, v0, a0, t, s.r, v1, s.a, t + h, time)
+            interpolate(so, before, t, after, t + h, time)
             copy(so.moment, s.moment)
             record.when[2] = time
             evaluate_and_note(p, so, record)

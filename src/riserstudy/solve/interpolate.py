@@ -12,18 +12,21 @@ from riserstudy.solve.tabulate import sizes
 
 
 @inner
-def interpolate(s, r0, v0, a0, t0, r1, v1, a1, t1, time):
-    """Cubic interpolation of positions between two steps; velocity is its derivative."""
+def interpolate(so, before, t0, after, t1, time):
+    """Cubic interpolation of positions between two steps; velocity is its derivative.
+
+    ``before``, ``after``: r, v and a at the times t0 and t1 (s). ``so``: the state at ``time``.
+    """
     h = t1 - t0
     x = (time - t0) / h
-    for k in range(len(s.dim)):
-        for i in range(s.r.shape[1]):
-            d = r1[k, i] - r0[k, i]
-            slope, twist = h * v0[k, i] - d, d - h * v1[k, i]
+    for k in range(len(so.dim)):
+        for i in range(so.r.shape[1]):
+            d = after.r[k, i] - before.r[k, i]
+            slope, twist = h * before.v[k, i] - d, d - h * after.v[k, i]
             bump = slope * (1.0 - x) + twist * x
-            s.r[k, i] = r0[k, i] + x * d + x * (1.0 - x) * bump
-            s.v[k, i] = (d + (1.0 - 2.0 * x) * bump + x * (1.0 - x) * (twist - slope)) / h
-            s.a[k, i] = (1.0 - x) * a0[k, i] + x * a1[k, i]
+            so.r[k, i] = before.r[k, i] + x * d + x * (1.0 - x) * bump
+            so.v[k, i] = (d + (1.0 - 2.0 * x) * bump + x * (1.0 - x) * (twist - slope)) / h
+            so.a[k, i] = (1.0 - x) * before.a[k, i] + x * after.a[k, i]
 
 
 @inner

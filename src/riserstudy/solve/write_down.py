@@ -150,9 +150,7 @@ def between(p, s, so, before, t, h, record):
         time = record.time[record.written[0]]
         x = (time - t) / h
         move(p, so, time)
-        interpolate(
-            so, before.r, before.v, before.a, t, s.r, s.v, s.a, t + h, time
-        )  # held nodes, too, as in `widen_places`
+        interpolate(so, before, t, s, t + h, time)  # held nodes, too, as in `widen_places`
         interpolate_carried(so, before.carried, t, s.carried, t + h, time)
         interpolate_internal(so, before, t, s, t + h, time)
         for u in range(len(s.dof) - len(s.dim)):
