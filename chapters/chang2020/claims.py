@@ -11,15 +11,14 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below, everywhere
 from riserstudy.grading.word_of_size import Word
 from riserstudy.grading.yardstick import Condition, alike, all_along, all_of, growing, less, more, plain
+from riserstudy.records.arrays import FloatArray
 
-FloatArray = NDArray[np.float64]
 DRAWN = 8.0  # range of the piston in Figs 5, 6 and 9, either way (m)
 
 

@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below
@@ -18,7 +17,6 @@ from riserstudy.grading.word_of_size import Word
 from riserstudy.grading.yardstick import Condition, all_along, all_of, growing, more
 from riserstudy.records.numerals import rounded_up
 
-FloatArray = NDArray[np.float64]
 LUMPED, BEAM = "lumped masses", "Hermite beam"
 PERIOD = 8.0  # s, wave period, over which slow motion is averaged
 PHASES = {"first": (0.0, 16.0), "second": (16.0, 260.0), "last": (260.0, 300.0)}  # s

@@ -10,14 +10,13 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.integrate import solve_bvp
 
 from riserstudy.model.sea import current_table
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.ends import FlexJoint
 from riserstudy.scene.resolve import Resolved
 
-FloatArray = NDArray[np.float64]
 ELEMENTS = 400
 
 

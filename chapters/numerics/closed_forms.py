@@ -9,10 +9,10 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-FloatArray = NDArray[np.float64]
+from riserstudy.records.arrays import FloatArray
+
 GRAVITY, DENSITY = 9.81, 1025.0  # gravity in m/s2, density of sea water in kg/m3
 
 

@@ -20,6 +20,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError, StepFailed, TakesTooLong
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.outputs import quantities
@@ -32,7 +33,6 @@ from riserstudy.solve.program import Packed
 from riserstudy.solve.record import new_record
 from riserstudy.solve.write_down import evaluate_and_note, remember
 
-FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
 PATIENCE = 1.0  # CPU seconds of a Radau run: a busy machine refuses as many runs as an idle one
 FASTEST = 10.0  # m/s; times the relative tolerance: absolute tolerance of speeds

@@ -28,11 +28,11 @@ from chapters.numerics.reference.store import NotUsed, read
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.curve import at_stations
 from riserstudy.simulation.starting_mesh import massless
 
-Array = NDArray[np.float64]
 QUANTITIES = ("displacement", "moment", "tension")
 HEAVE_STEP = 0.05  # s, time between the values of the stored heave
 STUDY = "accuracy"  # folder of references
@@ -126,11 +126,11 @@ def by_run(best: Result) -> Reference:
     return Reference("a finer run", lambda run: errors(run, best))
 
 
-def _off(found: Array, expected: Array) -> float:
+def _off(found: FloatArray, expected: FloatArray) -> float:
     return float(np.abs(found - expected).max() / np.abs(expected).max())
 
 
-def _rows(time: Array, of: Array) -> NDArray[np.int64]:
+def _rows(time: FloatArray, of: FloatArray) -> NDArray[np.int64]:
     """Rows of a stored history at the output times of a run (s)."""
     rows = np.searchsorted(of, time - 1e-6)
     if rows[-1] >= len(of) or np.abs(of[rows] - time).max() > 1e-6:
@@ -138,7 +138,7 @@ def _rows(time: Array, of: Array) -> NDArray[np.int64]:
     return rows
 
 
-def _of_surge(run: Result, best: dict[str, Array]) -> dict[str, float]:
+def _of_surge(run: Result, best: dict[str, FloatArray]) -> dict[str, float]:
     """Errors of lateral position at the stored stations, moment along the riser, and force at the top."""
     a = run.arrays
     rows, there = _rows(a["time"], best["time"]), _rows(a["time"], best["moment_time"])
@@ -152,7 +152,7 @@ def _of_surge(run: Result, best: dict[str, Array]) -> dict[str, float]:
     }
 
 
-def _of_heave(run: Result, best: dict[str, Array]) -> dict[str, float]:
+def _of_heave(run: Result, best: dict[str, FloatArray]) -> dict[str, float]:
     """Errors of the motion of the lower end and of the tension at the top."""
     a = run.arrays
     rows = _rows(a["time"], np.arange(len(best["bottom"]), dtype=np.float64) * HEAVE_STEP)

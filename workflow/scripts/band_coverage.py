@@ -11,7 +11,6 @@ from collections.abc import Callable, Iterator
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.seas import year_bands
 from riserstudy.seas.synthetic import synthetic
@@ -19,7 +18,6 @@ from riserstudy.seas.year_bands import Band, band_of_next
 from riserstudy.seas.years import Year, by_year
 from riserstudy.study.persistence import PERSISTENCE
 
-FloatArray = NDArray[np.float64]
 Bands = Callable[[list[Year], int], Band]
 HOURS = 8766
 KNOWN, AHEAD = (3, 5, 10, 20), (3, 5, 10)

@@ -8,12 +8,11 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.describe import described, sampled
 from riserstudy.grading.sensitivity import inputs, numbers_of
+from riserstudy.records.arrays import FloatArray
 
 PAPER = "design"
 SHUFFLES, SURE, SEED = 200, 0.95, 41
 LEAST = 1e-12  # damage below which it counts as zero (1/year)
-
-FloatArray = NDArray[np.float64]
 
 
 def wellhead_fatigue(wellhead: xr.Dataset, wellhead_mesh: xr.Dataset) -> xr.Dataset:

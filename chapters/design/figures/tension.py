@@ -9,13 +9,11 @@ import xarray as xr
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from riserstudy.figures.style import COLOURS, GREY, headline, legend_below, panel_title, panels, shades
+from riserstudy.records.arrays import FloatArray
 
 MUD = "mud density (kg/m³)"
-
-Array = NDArray[np.float64]
 
 
 def minimum_tension(minimum_tension: xr.Dataset) -> Figure:
@@ -125,7 +123,7 @@ def _recoil(ax: Axes, outcome: xr.Dataset, window: xr.Dataset, tension_ratio: fl
             )
 
 
-def _ends(outcome: xr.Dataset, tension_ratio: float) -> tuple[Array, Array]:
+def _ends(outcome: xr.Dataset, tension_ratio: float) -> tuple[FloatArray, FloatArray]:
     """Smallest and largest tested settings (MN) for a disconnect in the smallest heave, (muds,) each."""
     calm = outcome.isel(heave_amplitude=0).sortby("mud_weight")
     low, high = (calm[f"recoil_{end}"] / tension_ratio / 1e6 for end in ("minimum", "maximum"))

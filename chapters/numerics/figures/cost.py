@@ -11,12 +11,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.text import Annotation
 from matplotlib.ticker import FuncFormatter, NullFormatter, NullLocator
-from numpy.typing import NDArray
 
 from chapters.numerics.answers import COMPARED, QUANTITIES, TOLERANCE, price, without_time
 from chapters.numerics.figures.scenes import in_one_line, in_two_lines
 from riserstudy.figures.direct import legible, spread
 from riserstudy.figures.style import COLOURS, GREY, headline
+from riserstudy.records.arrays import FloatArray
 
 TICKS = (0.05, 0.02, 0.01, 0.005, 0.002, 0.0005)
 WIDEST, FINEST = 0.07, 0.0002  # ends of the axis of errors
@@ -27,14 +27,12 @@ LETTERS = 68  # of a line of a note
 OURS = "riserstudy"
 WIDEST_PAGE = 9.8  # inches: small text is 6 points on a page of 180 mm
 
-Array = NDArray[np.float64]
-
 
 class Named(NamedTuple):
     """A line and its name."""
 
-    x: Array
-    y: Array
+    x: FloatArray
+    y: FloatArray
     name: str
     colour: str
 
@@ -149,7 +147,7 @@ def _runs(ax: Axes, accuracy: xr.Dataset) -> list[Named]:
     return names
 
 
-def _peers(accuracy: xr.Dataset, scene: str) -> list[tuple[str, Array, Array]]:
+def _peers(accuracy: xr.Dataset, scene: str) -> list[tuple[str, FloatArray, FloatArray]]:
     """Other codes: errors, and their time divided by riserstudy's time at an equal error."""
     if "peer_scene" not in accuracy:
         return []
@@ -161,7 +159,7 @@ def _peers(accuracy: xr.Dataset, scene: str) -> list[tuple[str, Array, Array]]:
     return found
 
 
-def _at(single: Array, error: Array) -> Array:
+def _at(single: FloatArray, error: FloatArray) -> FloatArray:
     """Interpolate riserstudy's time (s) at given errors between runs; NaN outside their range."""
     if not len(single):
         return np.full(len(error), np.nan)
@@ -223,7 +221,7 @@ def _covered(ax: Axes, text: Annotation) -> int:
     return sum(path.intersects_bbox(box, filled=False) for path in lines) + sum(map(box.overlaps, others))
 
 
-def lowest_cost(of: xr.Dataset) -> Array:
+def lowest_cost(of: xr.Dataset) -> FloatArray:
     """Displacement error and time (s) of the runs with a smaller error than all faster runs, (n, 2)."""
     error, seconds = of["error_displacement"].values.ravel(), of["wall_seconds"].values.ravel()
     good = np.isfinite(error) & np.isfinite(seconds) & (error > 0.0)

@@ -20,13 +20,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.result import Result
+from riserstudy.records.arrays import Arrays, FloatArray
 from riserstudy.simulation.error_estimate import HISTORIES, statistics_of
 
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
-Arrays = dict[str, Array]
 
 ENDS = ("_static", "_min", "_max")
 MANY = 60  # most nodes of a coarser run with which the middles of its segments are stored
@@ -66,7 +65,7 @@ class Damaged(Exception):
     """Error: the bytes of a file are not a stored reference solution."""
 
 
-def reduced(result: Result, nodes: Array | None = None) -> Result:
+def reduced(result: Result, nodes: FloatArray | None = None) -> Result:
     """Reduce a run with histories at all nodes to the compared arrays, at fewer nodes and outputs.
 
     For vortex-induced vibration, statistics replace histories.
@@ -103,7 +102,7 @@ def _rounded(value: Any) -> Any:
     return float(f"{value:.{DIGITS}g}") if isinstance(value, float) else value
 
 
-def next_to(nodes: Array, s: Array) -> NDArray[np.int64]:
+def next_to(nodes: FloatArray, s: FloatArray) -> NDArray[np.int64]:
     """Indices of the nodes of a mesh (m) nearest to a coarser mesh's nodes or middles of its segments."""
     middles = 0.5 * (nodes[1:] + nodes[:-1]) if len(nodes) <= MANY else nodes
     near = np.union1d(nodes, middles)
@@ -172,7 +171,7 @@ def unpacked(content: bytes) -> Kept:
     return Kept(**about, result=Result(arrays, facts) if arrays else None)
 
 
-def _values(of: xr.Variable) -> Array:
+def _values(of: xr.Variable) -> FloatArray:
     """Values of a variable, stored directly or as second differences."""
     values = np.array(of.values, float)
     if "unit_of_differences" in of.attrs:
@@ -180,7 +179,7 @@ def _values(of: xr.Variable) -> Array:
     return values
 
 
-def _zero(arrays: Arrays, name: str) -> Array | float:
+def _zero(arrays: Arrays, name: str) -> FloatArray | float:
     """Elevations (m) from which the values of a quantity count; 0 for a quantity other than z."""
     of_z = name == "z" or (name[0] == "z" and name[1:] in ENDS)
     return arrays["zero_z"] if of_z else 0.0

@@ -13,7 +13,6 @@ from statistics import median
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.advice.changes import fitting
 from riserstudy.dataset.result import Result
@@ -21,6 +20,7 @@ from riserstudy.effects.registry import Change
 from riserstudy.errors import RiserStudyError
 from riserstudy.model.mesh import Mesh, even, own_mesh
 from riserstudy.model.vortices import shedding
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.audit import UNEXPLAINED
@@ -28,7 +28,6 @@ from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import massless, period
 from riserstudy.simulation.step_peaks import peaks_of
 
-Array = NDArray[np.float64]
 FEW = 4  # steps of a run that only loads the kernels
 SEGMENTS = 100  # of a scene without its own mesh
 STEPS_A_PERIOD = 48  # of a scene without its own step
@@ -56,7 +55,7 @@ def peaks(result: Result) -> Peaks:
 
     ends = ("_max", "_min") if "time" in arrays else ("_static",)
 
-    def largest(name: str, rest: Array | float = 0.0) -> float:
+    def largest(name: str, rest: FloatArray | float = 0.0) -> float:
         sides = [arrays[name + end] for end in ends if name + end in arrays]
         return max((float(np.abs(values - rest).max()) for values in sides), default=0.0)
 
@@ -68,7 +67,7 @@ def peaks(result: Result) -> Peaks:
     return Peaks(moved, moment, top)
 
 
-def _in_space(arrays: dict[str, Array]) -> float:
+def _in_space(arrays: dict[str, FloatArray]) -> float:
     """Largest horizontal displacement (m) in any direction: at rest, or over time; 0 in a plane.
 
     Extremes along x and y do not give it, since they may belong to different times.
@@ -81,7 +80,7 @@ def _in_space(arrays: dict[str, Array]) -> float:
     return peaks_of(arrays["time"], {"away": away})["away"].largest if len(away) else 0.0
 
 
-def straight(result: Result) -> Array:
+def straight(result: Result) -> FloatArray:
     """Return the elevations (m) from which axial motion counts: at rest, or unstretched in a static run."""
     arrays = result.arrays
     return arrays["z_static"] if "time" in arrays else arrays["z_static"][0] + arrays["s_node"]

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from riserstudy.records.arrays import FloatArray
 
 TOUCHING = 1e-6  # distance that counts as contact with the stack or an end of the stroke (m)
 SETTLED = 1e-3  # share of its lift within which a lower end at rest may move

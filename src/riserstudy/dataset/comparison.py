@@ -16,9 +16,9 @@ from riserstudy.dataset.external.read import read_external
 from riserstudy.dataset.lag import lag
 from riserstudy.dataset.wall_tension import Added, Walls
 from riserstudy.errors import InputError
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.resolve import Resolved
 
-FloatArray = NDArray[np.float64]
 FEWEST = 4  # smallest number of rows for a comparison
 # share of the riser's length within which two places are equal: the digits of a heading
 SAME = 1e-6

@@ -13,11 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.variables import attributes, cf_unit
+from riserstudy.records.arrays import FloatArray
 
 if TYPE_CHECKING:
     import xarray as xr
 
-Numbers = NDArray[np.float64]
 ENDINGS = {"_absmax": "absmax", "_max": "max", "_min": "min", "_static": "static"}
 WHERE = {"s_node": "s", "s": "s", "time": "time", "cylinder": "cylinder"}
 
@@ -48,7 +48,7 @@ class Statistic(NamedTuple):
     unit: str | None
     long_name: str | None
     values: NDArray[Any]
-    at: dict[str, Numbers]
+    at: dict[str, FloatArray]
 
 
 def elsewhere(name: str, dims: Collection[str], others: Mapping[str, Collection[str]]) -> bool:
@@ -186,7 +186,7 @@ def _split(name: str) -> tuple[str, str]:
 
 def _extreme(
     variable: Variable, coordinates: Mapping[str, NDArray[Any]], sign: float
-) -> tuple[Numbers, dict[str, Numbers]]:
+) -> tuple[FloatArray, dict[str, FloatArray]]:
     """The largest value (the smallest for a sign of -1) of each cell, and its place."""
     inner = variable.values.shape[1:]
     values = variable.values.reshape(len(variable.values), -1).astype(np.float64, copy=False)

@@ -18,11 +18,9 @@ from functools import cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.dataset.further_seas import MOST, drawn_fits
-
-FloatArray = NDArray[np.float64]
+from riserstudy.records.arrays import FloatArray
 
 
 class Bias(NamedTuple):

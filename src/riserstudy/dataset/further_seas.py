@@ -19,9 +19,9 @@ import math
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from riserstudy.records.arrays import FloatArray
+
 SAMPLES = 20_000  # drawn sets of seas, with which the share of further seas has an error of 0.1 %
 MOST = 100  # number of seas from which on errors of the fit are inversely proportional to this number
 STEPS = 30  # of Newton's iteration for the scale of a distribution

@@ -16,7 +16,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from riserstudy.records.arrays import FloatArray
+
 # difference of two fits, as a share of the other series' variance, up to which they are equally good
 ALIKE = 0.01
 MOST_STEPS = 2_000_000  # largest number of equally spaced times

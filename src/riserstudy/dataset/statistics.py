@@ -14,8 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from riserstudy.dataset.fit_bias import corrected, error_of
 from riserstudy.dataset.further_seas import fitted, scales_above_mode
+from riserstudy.records.arrays import FloatArray
 
-FloatArray = NDArray[np.float64]
 FEWEST_PEAKS = 10  # smallest number of peaks for the fit of a distribution
 LOWER = 0.5  # share of the smallest peaks that the fit excludes
 GRINGORTEN = 0.44  # constant of Gringorten's plotting positions

@@ -18,16 +18,15 @@ from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.geometry import levels
 from riserstudy.scene.pressures import pressures
 from riserstudy.scene.quantities import wall_lacks
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
-FloatArray = NDArray[np.float64]
 SAME = 1e-6  # share of the riser's length within which two places are equal
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.design import tension as formula
 from riserstudy.design.tension import Tolerances, carrying_tension, columns_above
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import own_mesh
+from riserstudy.records.arrays import FloatArray
 from riserstudy.records.numerals import newtons
 from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.pressures import mud_above_the_riser
@@ -20,7 +20,6 @@ from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.section_forces import riser_foot
 from riserstudy.simulation.starting_mesh import coarsest_mesh
 
-FloatArray = NDArray[np.float64]
 # smallest effective tension, as a share of the top tension, at which the iteration ends
 EXACT = 1e-10
 SUFFICIENT = 1e-6  # the same, above which the iteration has not converged after the last equilibrium

@@ -8,9 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.clearance import TOUCHING, lowest_after_rise
+from riserstudy.records.arrays import FloatArray
 from riserstudy.study.spacing import stretches
-
-FloatArray = NDArray[np.float64]
 
 
 class Outcome(NamedTuple):

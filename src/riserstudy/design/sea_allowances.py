@@ -7,7 +7,6 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import error_of, rows_of, too_coarse
 from riserstudy.dataset.result import Result
@@ -15,6 +14,7 @@ from riserstudy.dataset.statistics import gumbel
 from riserstudy.errors import InputError
 from riserstudy.model.layout import directions
 from riserstudy.model.mesh import Mesh, mesh_of
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.at_rest import static
 from riserstudy.scene.limits import ALONG, SIGNED, Limit
 from riserstudy.scene.load import SceneFile
@@ -28,7 +28,6 @@ from riserstudy.simulation.section_forces import shear
 from riserstudy.study.departures import departure, refuse_departures
 from riserstudy.study.in_sea import Sea, exposure, in_sea
 
-FloatArray = NDArray[np.float64]
 OUTPUTS = 20  # smallest number of outputs in the shortest period of a sea
 SHEAR = "shear_force"
 NO_VESSEL = "replace it by `platform`, with `top.x: platform`"

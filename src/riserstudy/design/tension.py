@@ -18,13 +18,12 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.geometry import span
 from riserstudy.scene.pressures import mud_above_the_riser
 from riserstudy.scene.resolve import Resolved
-
-FloatArray = NDArray[np.float64]
 
 
 class Tolerances(NamedTuple):

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.layout import AXES
 from riserstudy.model.sea import current_velocity, in_water
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
@@ -33,7 +34,6 @@ from riserstudy.solve.evaluate import shape_of
 if TYPE_CHECKING:
     import xarray as xr
 
-FloatArray = NDArray[np.float64]
 
 PHASES = 64  # number of phases of a cycle over which power is averaged
 LARGEST = 10.0  # largest ratio of amplitude to diameter in the search for a balance

@@ -9,16 +9,15 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import EXCEEDED, UNKNOWN, error_of, labels, too_coarse
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
+from riserstudy.records.arrays import FloatArray
 from riserstudy.records.numerals import at_most
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.resolve import Resolved
 
-FloatArray = NDArray[np.float64]
 ROUNDING = 1e-9
 COLUMNS = ["limit", "reached", "offset", "red circle", "yellow circle", "note"]
 UNITS = ["", "s", "m", "m", "m", ""]

@@ -6,11 +6,11 @@ import math
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.export.deck import Deck
 from riserstudy.export.pipes import BENDING, ENDS, GRAVITY, stiffness
 from riserstudy.model.tensioner_law import gas_force, linear_law, table_law
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.ends import Body, TelescopicJoint
 from riserstudy.scene.forcing import TILTS
 from riserstudy.scene.tensioners import Tensioners
@@ -22,7 +22,6 @@ ABOVE = 20.0  # length from the ring to the deck ends of upright cylinders (m)
 POINTS = 101  # of a curved law
 REACH = 10.0  # range of a law without stops, either way (m)
 LINK = "Connection, ConnectionX, ConnectionY, ConnectionZ, ConnectionzRelativeTo"
-FloatArray = NDArray[np.float64]
 
 
 class Rest(NamedTuple):

@@ -17,6 +17,7 @@ from riserstudy.dataset.unit_names import factor_between, scene_notation
 from riserstudy.errors import InputError
 from riserstudy.inputs.number_cell import number_in
 from riserstudy.inputs.text import read_text
+from riserstudy.records.arrays import FloatArray
 from riserstudy.records.words import counted
 from riserstudy.scene.units import UnitFault, unit_factor
 from riserstudy.study.months import uneven_months
@@ -25,7 +26,6 @@ from riserstudy.study.spacing import check_spacing
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 LARGEST_TABLE = 10**7  # largest size of a table, in bytes
 HOURS = 8766.0  # hours in a year of 365.25 days
 PEAK = "peak_period"
@@ -55,8 +55,8 @@ UNSURE = {
 class Occurrence(NamedTuple):
     """Sea states and their occurrence: values by axis, (n,) each, and shares of all time, (n,)."""
 
-    values: dict[str, Array]
-    shares: Array
+    values: dict[str, FloatArray]
+    shares: FloatArray
     notes: tuple[str, ...]  # notes on omitted or summed rows, a line each
     irregular: tuple[str, ...] = ()  # axes with values of irregular seas: H_s, T_p
 
@@ -222,7 +222,7 @@ def _number(path: Path, row: int, column: str, cell: str) -> float:
     return value
 
 
-def _summed(path: Path, shares: Array) -> tuple[str, ...]:
+def _summed(path: Path, shares: FloatArray) -> tuple[str, ...]:
     total = float(shares.sum())
     if total > 1.0 + WHOLE:
         raise InputError(
@@ -235,7 +235,9 @@ def _summed(path: Path, shares: Array) -> tuple[str, ...]:
     return ()
 
 
-def within(of: Occurrence, grid: Mapping[str, Array], calm: bool, units: Mapping[str, str]) -> Occurrence:
+def within(
+    of: Occurrence, grid: Mapping[str, FloatArray], calm: bool, units: Mapping[str, str]
+) -> Occurrence:
     """Sea states within the range that a study simulates.
 
     Angles outside this range are changed by whole turns if they are then within it. Raises InputError when
@@ -286,7 +288,7 @@ def _can_be_calm(unit: str) -> bool:
     return any(math.isfinite(factor_between(unit, of)) for of in OF_CALM)
 
 
-def _turned(values: Array, places: Array, turn: float | None) -> Array:
+def _turned(values: FloatArray, places: FloatArray, turn: float | None) -> FloatArray:
     """Angles (n,); those outside the range of places change by whole turns if they are then within it."""
     if turn is None:
         return values

@@ -27,7 +27,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from riserstudy.records.arrays import FloatArray
+
 POWER = 0.25
 # factor by which halving the distance of values reduces the error of interpolation, at least
 ORDER = 4.0
@@ -37,10 +38,10 @@ MANY = 2000  # number of sea states that are summed together
 class Response(NamedTuple):
     """Damage per year over axes: increasing values by axis, and rates over (axes..., places...), 1/year."""
 
-    grid: dict[str, Array]
-    rates: Array
+    grid: dict[str, FloatArray]
+    rates: FloatArray
 
-    def sums(self, values: Mapping[str, Array], shares: Array) -> Array:
+    def sums(self, values: Mapping[str, FloatArray], shares: FloatArray) -> FloatArray:
         """Damage per year of each sea state, weighted by its share (1), (states, places...)."""
         count = len(self.grid)
         root = self.rates**POWER
@@ -73,7 +74,7 @@ class Response(NamedTuple):
             found.append(Response(self.grid | {axis: places}, self.rates.take(kept, axis=along)))
         return found
 
-    def between(self, axis: str, values: Array) -> NDArray[np.bool_]:
+    def between(self, axis: str, values: FloatArray) -> NDArray[np.bool_]:
         """Whether each of some values of an axis, (states,), is not one of the simulated values."""
         there = np.isclose(values[:, None], self.grid[axis], rtol=1e-9, atol=0.0)
         return np.asarray(~there.any(axis=1))
@@ -83,12 +84,12 @@ class _Sides(NamedTuple):
     """Values of an axis between a simulated value, 0, and the next, 1: (states,) for each of these."""
 
     number: tuple[NDArray[np.int64], NDArray[np.int64]]
-    linear: tuple[Array, Array]  # weights of a linear function
-    cubic: tuple[Array, Array]  # weights of a cubic function
-    of_slope: tuple[Array, Array]  # weights of its slopes, in the unit of the axis
+    linear: tuple[FloatArray, FloatArray]  # weights of a linear function
+    cubic: tuple[FloatArray, FloatArray]  # weights of a cubic function
+    of_slope: tuple[FloatArray, FloatArray]  # weights of its slopes, in the unit of the axis
 
 
-def _sides(places: Array, values: Array) -> _Sides:
+def _sides(places: FloatArray, values: FloatArray) -> _Sides:
     last = len(places) - 1
     below = np.clip(np.searchsorted(places, values, "right") - 1, 0, max(last - 1, 0))
     width = np.diff(places, append=places[-1] + 1.0)[below]
@@ -98,7 +99,7 @@ def _sides(places: Array, values: Array) -> _Sides:
     return _Sides((below, np.minimum(below + 1, last)), (1.0 - t, t), (1.0 - up, up), slopes)
 
 
-def _slopes(places: Array, root: Array, axis: int) -> Array:
+def _slopes(places: FloatArray, root: FloatArray, axis: int) -> FloatArray:
     """Slopes of monotone cubic functions along an axis; zero for an axis with one value."""
     from scipy.interpolate import PchipInterpolator
 
@@ -107,12 +108,12 @@ def _slopes(places: Array, root: Array, axis: int) -> Array:
     return np.asarray(PchipInterpolator(places, root, axis=axis).derivative()(places))
 
 
-def _over_places(of_states: Array, like: Array) -> Array:
+def _over_places(of_states: FloatArray, like: FloatArray) -> FloatArray:
     """Numbers of sea states, (states,), with the dimensions of places, of length one."""
     return of_states.reshape(-1, *[1] * (like.ndim - 1))
 
 
-def in_parts(response: Response, values: Mapping[str, Array], shares: Array) -> Array:
+def in_parts(response: Response, values: Mapping[str, FloatArray], shares: FloatArray) -> FloatArray:
     """Damage per year of all sea states together, (places...), computed in blocks to limit memory."""
     total = np.zeros(response.rates.shape[len(response.grid) :])
     for first in range(0, len(shares), MANY):

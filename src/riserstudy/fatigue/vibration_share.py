@@ -6,12 +6,9 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.fatigue.years import Worst, Years
-
-Array = NDArray[np.float64]
 
 
 class Share(NamedTuple):

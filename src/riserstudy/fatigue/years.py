@@ -15,6 +15,7 @@ from riserstudy.dataset.provenance import first_scene, name_of
 from riserstudy.errors import InputError
 from riserstudy.fatigue.occurrence import Occurrence, within
 from riserstudy.fatigue.response import ORDER, Response, in_parts
+from riserstudy.records.arrays import FloatArray
 from riserstudy.records.words import listed
 from riserstudy.study.departures import prescribed_motions
 
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
 
     from riserstudy.scene.fatigue import Detail
 
-Array = NDArray[np.float64]
 PLACES = ("detail", "wall_angle", "s_node")
 VIBRATION = "vortex-induced vibration"  # name of the effect
 HALF = 0.5
@@ -68,8 +68,8 @@ class Sea(NamedTuple):
 class Years(NamedTuple):
     """Damage per year of all details, and the contributions of sea states to the governing detail."""
 
-    rates: Array  # (details, angles, places) 1/year, unfactored
-    s: Array  # (places,) m
+    rates: FloatArray  # (details, angles, places) 1/year, unfactored
+    s: FloatArray  # (places,) m
     worst: list[Worst]
     governing: int
     seas: list[Sea]  # in order of decreasing damage
@@ -227,13 +227,13 @@ def _is_seed(study: xr.Dataset, axis: str) -> bool:
     return bool(paths) and all(path.endswith(".seed") for path in paths)
 
 
-def _place(rates: Array, detail: int) -> tuple[int, int, int]:
+def _place(rates: FloatArray, detail: int) -> tuple[int, int, int]:
     angle, node = np.unravel_index(int(np.nanargmax(rates)), rates.shape)
     return detail, int(angle), int(node)
 
 
 def _worst(
-    study: xr.Dataset, response: Response, occurs: Occurrence, total: Array, runs: Array
+    study: xr.Dataset, response: Response, occurs: Occurrence, total: FloatArray, runs: FloatArray
 ) -> list[Worst]:
     """Each detail at the place of its largest damage, with its errors."""
     found = []
@@ -338,7 +338,7 @@ def _vibrating(study: xr.Dataset, here: Response) -> NDArray[np.bool_]:
     return np.asarray(on.any(others).transpose(*here.grid).values)
 
 
-def _errors(study: xr.Dataset, here: Response) -> Array:
+def _errors(study: xr.Dataset, here: Response) -> FloatArray:
     """Over the grid, the largest estimated relative error of damage; NaN without an estimate."""
     if "error_damage" not in study:
         return np.full(tuple(map(len, here.grid.values())), math.nan)

@@ -15,11 +15,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Polygon
 from matplotlib.transforms import Bbox
-from numpy.typing import NDArray
 
 from riserstudy.files.csv_files import csv_text
-
-Array = NDArray[np.float64]
+from riserstudy.records.arrays import FloatArray
 
 SENTENCE = 30  # number of characters from which on the title of a panel counts as a statement
 _LETTER = re.compile(r"^\([a-z]\)\s*")
@@ -31,7 +29,7 @@ class Series(NamedTuple):
     """One series of a panel: its name, and values of x, y and colour."""
 
     name: str
-    values: Array  # (n, 3), the third nan if colour has no value
+    values: FloatArray  # (n, 3), the third nan if colour has no value
 
 
 def headline(figure: Figure) -> str:
@@ -142,7 +140,7 @@ def _middle_of_end(bar: Bbox, across: bool) -> tuple[float, float, float]:
     return 0.5 * (bar.x0 + bar.x1), bar.y1, np.nan
 
 
-def _values(artist: Any) -> Array | None:
+def _values(artist: Any) -> FloatArray | None:
     if isinstance(artist, Line2D):
         return _columns(artist.get_xdata(orig=False), artist.get_ydata(orig=False))
     if isinstance(artist, QuadMesh):
@@ -165,7 +163,7 @@ def _values(artist: Any) -> Array | None:
     return None
 
 
-def _places(edges: Array) -> Array:
+def _places(edges: FloatArray) -> FloatArray:
     """Places whose midpoints are the edges (n + 1, ...) of cells; if there are none, middles of cells."""
     middle = 0.5 * (edges[1:] + edges[:-1])
     places = middle.copy()
@@ -175,7 +173,7 @@ def _places(edges: Array) -> Array:
     return places if halfway else middle
 
 
-def _columns(x: Any, y: Any, colour: Any = None) -> Array:
+def _columns(x: Any, y: Any, colour: Any = None) -> FloatArray:
     x, y = (np.ma.filled(np.ma.asarray(v, float), np.nan) for v in (x, y))
     shade = np.full(len(x), np.nan) if colour is None else np.ma.filled(colour.astype(float), np.nan)
     return np.column_stack([x, y, shade])

@@ -9,11 +9,11 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
-from numpy.typing import NDArray
 
 from riserstudy.figures.limit_colours import colours_of
 from riserstudy.figures.names import in_words
 from riserstudy.figures.style import headline
+from riserstudy.records.arrays import FloatArray
 from riserstudy.seas.cover import scale_of
 from riserstudy.seas.riser_hours import excess_of
 from riserstudy.seas.surface import Surface
@@ -21,7 +21,6 @@ from riserstudy.seas.surface import Surface
 if TYPE_CHECKING:
     import xarray as xr
 
-FloatArray = NDArray[np.float64]
 CELLS = 240  # number of cells of the map in each direction
 WITHIN = "#e8e8e8"  # colour where all limits are met
 

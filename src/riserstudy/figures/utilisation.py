@@ -27,8 +27,8 @@ from riserstudy.figures.grid import (
 from riserstudy.figures.limit_colours import colours_of
 from riserstudy.figures.names import in_words
 from riserstudy.figures.style import GREY, headline, panel_title
+from riserstudy.records.arrays import FloatArray
 
-FloatArray = NDArray[np.float64]
 SLICES = 4  # number of equally spaced points of a third axis that are shown
 MOST = 2.0  # largest utilisation on the scale of colours and lines
 DARK = 1.6  # utilisation from which on a number is white

@@ -17,17 +17,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.dataset.netcdf import load
 from riserstudy.errors import InputError
 from riserstudy.importers.operators import HEADING, SAME, Operators, columns_of, once_a_turn
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.rao import MOTIONS
 
 if TYPE_CHECKING:
     import xarray as xr
 
-FloatArray = NDArray[np.float64]
 FREQUENCIES = {"omega": ("frequency", "rad/s"), "freq": ("frequency", "Hz"), "period": ("period", "s")}
 COMPLEX = "give the dimension complex the two values re and im"
 #: units that attributes may state, and their factors to the units of the table

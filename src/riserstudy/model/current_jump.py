@@ -20,11 +20,10 @@ None: the project's own, with its error above.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from riserstudy.records.arrays import FloatArray
 from riserstudy.solve.state import OTHER, OWN
 
-FloatArray = NDArray[np.float64]
 # deviation of the speed from a straight line over two segments, as a share of the largest speed, from which
 # on a mean replaces the profile
 BENT = 0.1

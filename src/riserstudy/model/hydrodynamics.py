@@ -8,7 +8,6 @@ from itertools import zip_longest
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.effects.added_mass import AddedMass
 from riserstudy.effects.current import Current
@@ -24,11 +23,11 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect
 from riserstudy.model.sea import components_of, current_table, current_velocity, still_surface, wave_numbers
 from riserstudy.model.vortices import vortex_forces
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import IrregularSea, RegularWave
 from riserstudy.scene.water import Water
 
-FloatArray = NDArray[np.float64]
 ABOVE = {"none": NONE, "constant": CONSTANT, "stretched": STRETCHED}
 
 

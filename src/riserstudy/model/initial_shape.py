@@ -5,12 +5,9 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
-
-FloatArray = NDArray[np.float64]
-
+from riserstudy.records.arrays import FloatArray
 
 MOST = 0.01  # largest strain of the initial shape
 

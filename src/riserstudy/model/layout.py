@@ -7,16 +7,15 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.vessel import loose_nodes
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.ends import FlexJoint, Rotation
 from riserstudy.scene.geometry import Span, length_of, span
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
-FloatArray = NDArray[np.float64]
 AXES = {1: [2], 2: [0, 2], 3: [0, 1, 2]}  # axes (x, y, z) of a model, by its number of directions
 
 

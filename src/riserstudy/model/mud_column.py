@@ -22,11 +22,10 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.errors import SimulationError
+from riserstudy.records.arrays import FloatArray
 
-FloatArray = NDArray[np.float64]
 SPACING = 0.02  # largest time interval of the table (s)
 TOLERANCE = 1e-9  # of the integration: relative, and absolute in m and m/s
 SHORTEST = 1.0  # column length at which the computation ends (m)

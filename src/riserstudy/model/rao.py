@@ -17,12 +17,11 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.model.sea import components_of
+from riserstudy.records.arrays import FloatArray
 from riserstudy.records.warning import RunWarning, Value, sentence, warning
 from riserstudy.scene.rao import TILTS, Operator, Response
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import Storm, Swell, Wave
-
-FloatArray = NDArray[np.float64]
 
 GRAVITY = 9.80665  # m/s2, for plausibility checks of a scene without gravity
 # largest plausible median ratio of angle to wave slope; degrees read as radians give about 57

@@ -7,12 +7,12 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.forcing import Current, Shape
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import IrregularSea, RegularWave, Storm, Swell, WindDrift
 from riserstudy.scene.water import Water
 
-FloatArray = NDArray[np.float64]
 PROFILE_POINTS = 2001  # points of a named current profile
 SAME = 1e-9  # distance of two elevations that count as one, as a share of the profile's height
 # depth below the surface at which its velocity is evaluated, as a share of the profile's height

@@ -14,13 +14,13 @@ from riserstudy.effects.soil_damping import SoilDamping
 from riserstudy.model.layout import Layout
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.riser import Section
 from riserstudy.scene.soil import ElasticSoil, Matlock, Sand, Soil, TabulatedSoil
 
 if TYPE_CHECKING:
     from scipy.interpolate import PPoly
 
-FloatArray = NDArray[np.float64]
 # ultimate resistance / (shear strength x diameter) where clay flows around the conductor
 DEEP = 9.0
 SHALLOW = 3.0  # the same at the mudline

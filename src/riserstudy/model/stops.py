@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from riserstudy.records.arrays import FloatArray
 from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.tensioners import Tensioners
 
-FloatArray = NDArray[np.float64]
 # shortest and longest possible joint of two barrels, as multiples of its length
 MEET, PART = 0.5, 2.0
 

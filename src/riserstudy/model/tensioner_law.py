@@ -5,15 +5,14 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from riserstudy.records.arrays import FloatArray
 from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.tensioners import Gas, TableRow, Tensioners, TwoChamberGas
 
 if TYPE_CHECKING:
     from scipy.interpolate import PPoly
 
-FloatArray = NDArray[np.float64]
 ROUNDING = 1e-9  # share of the largest pull below which a negative pull is rounding
 
 

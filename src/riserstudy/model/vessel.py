@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.effects.munk import Munk
 from riserstudy.effects.thrusters import Thrusters
@@ -14,10 +13,10 @@ from riserstudy.effects.torsion import Torsion
 from riserstudy.effects.vessel import Vessel
 from riserstudy.model.model import Effect, Report
 from riserstudy.model.sea import surface_current
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene import vessel as scenes
 from riserstudy.scene.resolve import Resolved
 
-FloatArray = NDArray[np.float64]
 AHEAD = ("platform_speed", "riser_reaction", "environment_force")  # reported by direction
 YAW, THRUST, THRUST_MOMENT = "platform_yaw", "thrust", "thrust_moment"
 SWAY = 1  # direction

@@ -17,11 +17,11 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect, Model
 from riserstudy.model.platform_motion import largest_speed
 from riserstudy.model.sea import current_velocity, speed_at_crest
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.geometry import NEAR
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import VortexInducedVibration
 
-FloatArray = NDArray[np.float64]
 #: coefficient and frequencies of a section's force, and its other inputs; None for a section without force
 Shed = tuple[float, list[float], VortexInducedVibration] | None
 VORTICES = 10  # default ramp of the lift, in shedding periods

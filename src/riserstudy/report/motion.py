@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.dataset.provenance import scene_of_point
 from riserstudy.figures.grid import evenly_spaced
+from riserstudy.records.arrays import FloatArray
 from riserstudy.records.units import after_number
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS
 from riserstudy.scene.resolve import Resolved
@@ -18,7 +18,6 @@ from riserstudy.study.models import RunInMotion
 if TYPE_CHECKING:
     import xarray as xr
 
-Array = NDArray[np.float64]
 # most times and nodes of the riser, and most times of the histories, that are shown
 FRAMES, NODES, MOMENTS = 101, 61, 301
 MOST_HISTORIES = 3
@@ -32,7 +31,7 @@ class History(NamedTuple):
     """Quantities with one unit over time."""
 
     label: str
-    lines: dict[str, Array]  # by name, (times,) each
+    lines: dict[str, FloatArray]  # by name, (times,) each
 
 
 class Motion(NamedTuple):
@@ -40,17 +39,17 @@ class Motion(NamedTuple):
 
     title: str
     scene: Resolved
-    time: Array  # (frames,) s
-    x: Array  # (frames, nodes)
-    y: Array | None  # the same, None in the plane
-    z: Array
-    rest: tuple[Array, Array]  # x and z of the nodes at rest
-    colour: Array  # (frames, nodes), in `unit`
+    time: FloatArray  # (frames,) s
+    x: FloatArray  # (frames, nodes)
+    y: FloatArray | None  # the same, None in the plane
+    z: FloatArray
+    rest: tuple[FloatArray, FloatArray]  # x and z of the nodes at rest
+    colour: FloatArray  # (frames, nodes), in `unit`
     quantity: str
     unit: str
     signed: bool
-    platform: tuple[Array, Array] | None  # x and z (frames,)
-    moments: Array  # times of the histories (s)
+    platform: tuple[FloatArray, FloatArray] | None  # x and z (frames,)
+    moments: FloatArray  # times of the histories (s)
     histories: list[History]
 
 
@@ -98,7 +97,7 @@ def motion_of(of_run: RunInMotion, dataset: xr.Dataset, caption: str) -> Motion:
     )
 
 
-def _displaced(scene: Resolved, time: Array) -> Array | None:
+def _displaced(scene: Resolved, time: FloatArray) -> FloatArray | None:
     """Return the displacement of the platform over time, (times, 6) in m and rad; None without platform."""
     if scene.platform is None:
         return None
@@ -120,7 +119,7 @@ def _with_unit(axis: xr.DataArray, value: Any) -> str:
     return f"{float(value):g}{after_number(axis.attrs.get('units', ''))}"
 
 
-def _rest(run: xr.Dataset, geometry: Geometry, s: Array) -> tuple[Array, Array]:
+def _rest(run: xr.Dataset, geometry: Geometry, s: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return the position at rest (m): from the run if it contains it, else the position without load."""
     x, z = (np.array(row) for row in zip(*map(geometry.at, s), strict=True))
     kept = {name: run[name].values for name in ("x_static", "z_static") if name in run}
@@ -131,8 +130,8 @@ def _rest(run: xr.Dataset, geometry: Geometry, s: Array) -> tuple[Array, Array]:
 
 
 def _platform(
-    scene: Resolved, geometry: Geometry, x: Array, z: Array, moved: Array | None
-) -> tuple[Array, Array]:
+    scene: Resolved, geometry: Geometry, x: FloatArray, z: FloatArray, moved: FloatArray | None
+) -> tuple[FloatArray, FloatArray]:
     """Return the position of the platform (m): in directions in which it holds the riser, that of the top."""
     top = scene.top
     zero = np.zeros(len(x))
@@ -146,7 +145,7 @@ def _platform(
     )
 
 
-def _histories(run: xr.Dataset, scene: Resolved, moved: Array | None) -> list[History]:
+def _histories(run: xr.Dataset, scene: Resolved, moved: FloatArray | None) -> list[History]:
     """Return the quantities that are shown over time."""
     rows = []
     if "platform_surge" in run:

@@ -7,13 +7,12 @@ from html import escape
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.figures.grid import evenly_spaced
+from riserstudy.records.arrays import FloatArray
 from riserstudy.report.motion import Motion
 from riserstudy.schematic.geometry import Geometry
 
-Array = NDArray[np.float64]
 WIDTH, HEIGHT = 300.0, 240.0
 SIDE, SKY, BED = 24.0, 40.0, 22.0  # margins at the sides, above and below
 FRAMES, NODES = 48, 28  # most frames and nodes that are drawn
@@ -43,7 +42,7 @@ def moving_riser(motions: Iterable[tuple[str, Motion]]) -> tuple[str, MovingRise
     return paper, _drawn(travelled[paper][1])
 
 
-def _travel(x: Array) -> float:
+def _travel(x: FloatArray) -> float:
     return float(np.ptp(x))
 
 
@@ -60,7 +59,7 @@ def _drawn(motion: Motion) -> MovingRiser:
     across = (WIDTH - 2.0 * SIDE) / ((high - low) or 1.0)
     up = (HEIGHT - SKY - BED) / level
 
-    def place(at: Array, height: Array) -> str:
+    def place(at: FloatArray, height: FloatArray) -> str:
         return " ".join(
             f"{SIDE + across * (a - low):.1f},{HEIGHT - BED - up * (h - bed):.1f}"
             for a, h in zip(at, height, strict=True)

@@ -15,15 +15,14 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.geometry import span
 
 if TYPE_CHECKING:
     from riserstudy.scene.limits import Limit
     from riserstudy.scene.parts import Parts
 
-FloatArray = NDArray[np.float64]
 #: outputs that are effective tensions, from which a run does not subtract mud above the riser
 TENSIONS = ("effective_tension", "lower_end_tension", "overpull")
 

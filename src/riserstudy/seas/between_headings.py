@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.load import SceneFile
 from riserstudy.seas.cover import Cover, off_by, scale_of
 from riserstudy.seas.riser_hours import Response
@@ -17,7 +18,6 @@ from riserstudy.seas.sea_states import SeaStates
 if TYPE_CHECKING:
     from riserstudy.seas.riser_response import RiserResponse
 
-FloatArray = NDArray[np.float64]
 # number of sea states half-way between two headings: the highest, and others drawn by their rows
 COMPARED = 4
 

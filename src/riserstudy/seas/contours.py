@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
+from riserstudy.records.arrays import FloatArray
 from riserstudy.seas.periods_of_heights import fitted
 from riserstudy.seas.record import interval_of_rows
 from riserstudy.seas.return_values import whole_years
@@ -22,7 +23,6 @@ from riserstudy.study.spacing import check_spacing
 if TYPE_CHECKING:
     import xarray as xr
 
-FloatArray = NDArray[np.float64]
 PLACES = 24  # number of points on a contour
 BEYOND = 1.5  # largest ratio of a period of a contour to the longest period of the record
 COLUMNS = [

@@ -14,11 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError, SimulationError
+from riserstudy.records.arrays import FloatArray
 from riserstudy.records.words import counted
 from riserstudy.seas.sea_states import SeaStates
 from riserstudy.seas.surface import Surface
 
-FloatArray = NDArray[np.float64]
 FIRST = 12  # number of initial sea states in addition to the corners
 BATCH = 6  # number of sea states that are added at a time
 # number of sea states for comparison; half drawn from all rows, half from rows near a limit

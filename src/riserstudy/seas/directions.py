@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.load import SceneFile
 from riserstudy.seas.sea_states import without_waves
 from riserstudy.study.in_sea import heading_paths, heading_values
@@ -16,7 +17,6 @@ from riserstudy.study.in_sea import heading_paths, heading_values
 if TYPE_CHECKING:
     import xarray as xr
 
-FloatArray = NDArray[np.float64]
 FROM = "wave_from_direction"
 # smallest number of headings for interpolation: with fewer, adjacent responses differ too much
 FEWEST = 4

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
+from riserstudy.records.arrays import FloatArray
 from riserstudy.records.numerals import duration
 from riserstudy.records.words import counted
 from riserstudy.scene.load import SceneFile
@@ -25,7 +26,6 @@ from riserstudy.study.in_sea import sea_of
 if TYPE_CHECKING:
     import xarray as xr
 
-FloatArray = NDArray[np.float64]
 Notify = Callable[[str], None]
 ANY = 1.0  # a gamma (1) for periods of which only the rows with a value matter
 PRICED = 2  # number of runs from which the total time is estimated

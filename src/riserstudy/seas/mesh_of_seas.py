@@ -15,15 +15,14 @@ from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.load import SceneFile
 from riserstudy.seas.cover import Cover, off_by, scale_of
 from riserstudy.seas.riser_response import RiserResponse
 from riserstudy.seas.sea_states import SeaStates
 from riserstudy.study.setting import Layers, Setting, layers_of
 
-FloatArray = NDArray[np.float64]
 Notify = Callable[[str], None]
 # largest change of a demand by mesh and step, as a share of the tolerance between sea states
 SHARE = 0.3

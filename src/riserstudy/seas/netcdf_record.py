@@ -12,10 +12,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.dataset.netcdf import load
 from riserstudy.errors import InputError
+from riserstudy.records.arrays import FloatArray
 from riserstudy.seas.columns import COLUMNS, NAMES, UNSURE_HEIGHT, Column, check_fills, head, plain
 from riserstudy.seas.valid_ranges import quality_flags, within_valid_range
 from riserstudy.seas.zones import check_zone
@@ -24,7 +24,6 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-FloatArray = NDArray[np.float64]
 CLOCKS = ("time", "valid_time")
 STARTS = "forecast_reference_time"
 #: names in these sources that are not used in headers of tables

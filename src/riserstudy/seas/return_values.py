@@ -16,11 +16,11 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
+from riserstudy.records.arrays import FloatArray
 from riserstudy.seas.peaks_over import fitted, possible
 from riserstudy.seas.year_bands import BAND
 from riserstudy.seas.years import WHOLE
 
-FloatArray = NDArray[np.float64]
 DRAWS = 400
 APART = 72.0  # smallest time between peaks of two storms (h)
 PEAKS_A_YEAR = 6  # number of storms per year whose peaks are used

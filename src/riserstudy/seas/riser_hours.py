@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import labels
 from riserstudy.dataset.table import Cell, Table
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.limits import UNITS as OUTPUT_UNITS
 from riserstudy.scene.limits import Limit
 from riserstudy.seas.cover import Cover, scale_of
@@ -20,7 +21,6 @@ from riserstudy.seas.surface import Surface
 if TYPE_CHECKING:
     import xarray as xr
 
-FloatArray = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 #: modes, each with the modes whose limits must be met: a drilling riser is also connected
 MODES = {

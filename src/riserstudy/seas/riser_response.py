@@ -8,10 +8,10 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import checked, error_of, labels
 from riserstudy.errors import InputError
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.limits import UNITS, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.pressures import not_in_demand
@@ -22,8 +22,6 @@ from riserstudy.study.in_sea import Sea, exposure, phases_of, values_of
 from riserstudy.study.simulate_points import attempt
 from riserstudy.study.study import Study
 from riserstudy.study.sweep import as_study
-
-FloatArray = NDArray[np.float64]
 
 
 @dataclass

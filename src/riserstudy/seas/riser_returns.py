@@ -19,6 +19,7 @@ from riserstudy.dataset.limits import labels
 from riserstudy.dataset.statistics import FEWEST_SEEDS, NOT_EXCEEDED
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.limits import UNITS, Limit
 from riserstudy.seas.return_values import (
     PEAKS_A_YEAR,
@@ -32,7 +33,6 @@ from riserstudy.seas.riser_hours import Met
 from riserstudy.seas.year_bands import BAND
 from riserstudy.study.demand_in_sea import scales_of
 
-FloatArray = NDArray[np.float64]
 HISTORIES = 40  # number of drawn histories of the record
 DRAWS = 10  # number of values that may be true, of each history
 # standard deviations of a normal distribution to both sides, for nine in ten values

@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
+from riserstudy.records.arrays import FloatArray
 from riserstudy.records.words import counted
 
 if TYPE_CHECKING:
     import xarray as xr
 
-FloatArray = NDArray[np.float64]
 NEEDED = ("significant_wave_height", "peak_period")
 CALM = 0.001  # m: significant height that represents a calm sea, which a scene cannot have
 

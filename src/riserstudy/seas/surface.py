@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from riserstudy.records.arrays import FloatArray
+
 # share of the distance to the middle by which points are moved, so that no border point is outside by
 # rounding
 INWARDS = 1e-9

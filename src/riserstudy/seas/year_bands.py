@@ -15,10 +15,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.records.arrays import FloatArray
 from riserstudy.seas.years import Year
 from riserstudy.study.persistence import PERSISTENCE
 
-FloatArray = NDArray[np.float64]
 DRAWS = 20_000
 BLOCK = 2_000  # number of draws at a time
 BAND = (0.05, 0.95)

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.errors import SimulationError, StepFailed
+from riserstudy.records.arrays import FloatArray
 from riserstudy.records.warning import warning
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.vessel import Coupling
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from riserstudy.model.model import Model
     from riserstudy.records.facts import RunFacts
 
-FloatArray = NDArray[np.float64]
 PLANE = 1e-6  # distance from a plane that counts as none, as a share of the distance within it
 UNEXPLAINED = 1e-3  # largest energy residual without a warning, as a share of the energy exchanged
 

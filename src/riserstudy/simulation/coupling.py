@@ -16,12 +16,12 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.effects.exchange import ForceTable, MotionTable
 from riserstudy.errors import SimulationError
 from riserstudy.model.model import Effect, Model, Unknowns
 from riserstudy.model.vessel import floating, loose_nodes, unknowns
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.vessel import Coupling
 from riserstudy.simulation.time_stepping import steps_in
@@ -32,7 +32,6 @@ from riserstudy.solve.record import Record, new_record
 from riserstudy.solve.state import State
 from riserstudy.solve.sums import DONE, HALVED, ITERATIONS, Sums, new_sums
 
-FloatArray = NDArray[np.float64]
 MOST_ROUNDS = 50  # largest number of iterations of a turn
 
 

@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
-Arrays = dict[str, FloatArray]
+from riserstudy.records.arrays import Arrays, FloatArray
+
 NEAR = 1e-5  # share of a segment within which a place is a node, for meshes with rounded nodes
 SAME = 1e-9  # share of the length within which a place is a node
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.dataset.clearance import TOUCHING, lowest_after_rise
 from riserstudy.errors import SimulationError
@@ -13,16 +12,15 @@ from riserstudy.model.disconnect import fading, released, stack_contact
 from riserstudy.model.draining import draining, flow_of
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
+from riserstudy.records.arrays import Arrays, FloatArray
 from riserstudy.records.numerals import newtons
 from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.resolve import Resolved
-from riserstudy.simulation import outputs
 from riserstudy.solve.evaluate import energies, forces_and_tangent
 
 if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts
 
-FloatArray = NDArray[np.float64]
 
 STILL = 1e-6  # share of the largest tension that counts as rounding
 # horizontal distance (m) from the well within which a lower end counts as above the stack
@@ -67,7 +65,7 @@ def _overpull(model: Model) -> float:
     return float(model.s.force[-1, 0])
 
 
-def enter_lift(scene: Resolved, arrays: outputs.Arrays, facts: RunFacts) -> None:
+def enter_lift(scene: Resolved, arrays: Arrays, facts: RunFacts) -> None:
     """Add lift, clearance and re-contact to the facts, with warnings about re-contact.
 
     ``arrays`` hold time (s), lift (m), its rate (m/s) and the distance from the well (m), (times,), at all

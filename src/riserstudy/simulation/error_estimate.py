@@ -7,9 +7,9 @@ from collections.abc import Callable, Iterator
 from itertools import chain
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.dataset.result import Result
+from riserstudy.records.arrays import Arrays, FloatArray
 from riserstudy.scene.limits import OF_ONE_PLACE
 from riserstudy.simulation.curve import SAME, at_stations, curve_of, largest_moment
 from riserstudy.simulation.section_forces import shear
@@ -21,9 +21,6 @@ from riserstudy.simulation.vortex_vibration_statistics import (
     rounding_of,
     statistics,
 )
-
-Array = NDArray[np.float64]
-Arrays = dict[str, Array]
 
 #: quantities whose errors a tolerance limits, and which determine mesh and time step
 CONTROLLED = ("displacement", "tension", "moment", "damage")
@@ -99,7 +96,7 @@ def _vibrates(run: Result) -> bool:
     return "vibration_since" in run.facts and run.facts["vibration_rms"] > least
 
 
-Pairs = Iterator[tuple[Array, Array]]
+Pairs = Iterator[tuple[FloatArray, FloatArray]]
 
 
 def _of_one_place(
@@ -116,7 +113,7 @@ def _of_one_place(
     return found
 
 
-def _relative(key: str, pairs: list[tuple[Array, Array]], rounding: float) -> dict[str, float]:
+def _relative(key: str, pairs: list[tuple[FloatArray, FloatArray]], rounding: float) -> dict[str, float]:
     """Largest difference of a quantity, divided by its largest value; empty if all values are zero."""
     scale = max((float(np.abs(up).max(initial=0.0)) for _, up in pairs), default=0.0)
     if not scale > rounding:
@@ -134,7 +131,7 @@ def _of_disconnect(coarse: Result, fine: Result) -> dict[str, float]:
         return {}
     low, up = coarse.facts, fine.facts
 
-    def of(name: str) -> list[tuple[Array, Array]]:
+    def of(name: str) -> list[tuple[FloatArray, FloatArray]]:
         return [(np.array([low[name]]), np.array([up[name]]))] if name in low and name in up else []  # type: ignore[literal-required]
 
     lifts = [*_over_common_outputs(coarse.arrays, fine.arrays, "lift"), *of("lift_max"), *of("clearance_min")]
@@ -146,7 +143,7 @@ def _of_disconnect(coarse: Result, fine: Result) -> dict[str, float]:
 
 
 def _vibrations(
-    coarse: Result, fine: Result, histories: dict[str, tuple[Array, Array]]
+    coarse: Result, fine: Result, histories: dict[str, tuple[FloatArray, FloatArray]]
 ) -> tuple[Statistics, Statistics]:
     """Statistics of two runs of a vibration, at the places where they are compared."""
     since, places = fine.facts["vibration_since"], _places(coarse.arrays, fine.arrays)
@@ -208,19 +205,19 @@ def _shear(coarse: Arrays, fine: Arrays) -> float | None:
     return max(off, abs(scale - peak)) / scale
 
 
-def _largest(values: Array, least: Array) -> float:
+def _largest(values: FloatArray, least: FloatArray) -> float:
     """Largest magnitude of values above their rounding errors; 0 if there is none."""
     sizes = np.abs(values)
     return float(sizes[sizes > least].max(initial=0.0))
 
 
-def _rounding_of_shear(arrays: Arrays) -> Array:
+def _rounding_of_shear(arrays: Arrays) -> FloatArray:
     """Rounding error of shear (N) at the nodes: that of a moment, divided by a segment's length."""
     by_segment = np.pad(_rounding_of_moment(arrays) / arrays["l0"], 1)
     return np.asarray(np.maximum(by_segment[1:], by_segment[:-1]))
 
 
-def _shears(arrays: Arrays) -> Iterator[tuple[str, Array]]:
+def _shears(arrays: Arrays) -> Iterator[tuple[str, FloatArray]]:
     """Shear (N) at the nodes: its envelopes over all steps, and at rest."""
     for end in ("max", "min", "static"):
         if f"shear_force_{end}" in arrays:
@@ -263,7 +260,7 @@ def _both_extremes(coarse: Result, fine: Result, name: str) -> Pairs:
         yield ends, finer
 
 
-def _extremes(run: Result, name: str) -> Array | None:
+def _extremes(run: Result, name: str) -> FloatArray | None:
     """Smallest and largest value of an output over all steps; None for a run that is only compared."""
     if peak := run.seen.peaks.get(name):
         return np.array([peak.smallest, peak.largest])
@@ -289,7 +286,7 @@ def _rounding_of_moment(arrays: Arrays) -> float:
     return min(softest, _rounding("displacement", arrays) * tension)
 
 
-def _zero(arrays: Arrays, field: str) -> Array:
+def _zero(arrays: Arrays, field: str) -> FloatArray:
     """Reference positions of displacements, at the nodes."""
     return arrays.get("zero_" + field, np.zeros_like(arrays["s_node"]))
 
@@ -305,7 +302,7 @@ def _states(coarse: Arrays, fine: Arrays, field: str) -> Pairs:
 
 
 def _lengths(
-    at_rest: list[tuple[Array, Array]], moving: list[tuple[Array, Array]]
+    at_rest: list[tuple[FloatArray, FloatArray]], moving: list[tuple[FloatArray, FloatArray]]
 ) -> list[tuple[float, float]]:
     """Largest length of the displacement, and of its difference, at rest and over time (m).
 
@@ -320,7 +317,7 @@ def _lengths(
     return found
 
 
-def _histories(coarse: Arrays, fine: Arrays) -> dict[str, tuple[Array, Array]]:
+def _histories(coarse: Arrays, fine: Arrays) -> dict[str, tuple[FloatArray, FloatArray]]:
     """Histories of both runs by field: at the nodes of the coarse run, or at the stations of the fine run."""
     if "time" not in coarse or "time" not in fine:
         return {}
@@ -330,7 +327,7 @@ def _histories(coarse: Arrays, fine: Arrays) -> dict[str, tuple[Array, Array]]:
         up = _at(up, places)
     else:
         low = _at(low, places)
-    pairs: dict[str, tuple[Array, Array]] = {}
+    pairs: dict[str, tuple[FloatArray, FloatArray]] = {}
     for field in HISTORIES:
         if field in up and field in low:
             away = [curve_of(run).straight(_zero(run, field), places) for run in (coarse, fine)]
@@ -338,7 +335,7 @@ def _histories(coarse: Arrays, fine: Arrays) -> dict[str, tuple[Array, Array]]:
     return pairs
 
 
-def _places(coarse: Arrays, fine: Arrays) -> Array:
+def _places(coarse: Arrays, fine: Arrays) -> FloatArray:
     """Places (m) at which histories are compared: nodes of the coarse run, or stations of the fine run."""
     return coarse["s_node"] if len(fine["s"]) == len(fine["s_node"]) else fine["s"]
 
@@ -357,7 +354,7 @@ def _every(coarse: Arrays, fine: Arrays) -> tuple[int, int]:
     return low, up
 
 
-def _at(arrays: Arrays, places: Array) -> Arrays:
+def _at(arrays: Arrays, places: FloatArray) -> Arrays:
     """Histories at places; without interpolation if the places are nodes."""
     node = np.searchsorted(arrays["s_node"], places - SAME * arrays["s_node"][-1])
     if np.allclose(arrays["s_node"][node], places, rtol=0.0, atol=SAME * arrays["s_node"][-1]):

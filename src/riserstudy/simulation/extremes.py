@@ -6,9 +6,9 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
+from riserstudy.records.arrays import Arrays, FloatArray
 from riserstudy.records.seen import Peak, Seen
 from riserstudy.scene.limit_inputs import lacks_outputs, times_of_mean
 from riserstudy.scene.limits import ALONG, UNITS
@@ -18,8 +18,6 @@ from riserstudy.simulation.section_forces import riser_foot
 from riserstudy.simulation.step_peaks import peaks_of
 from riserstudy.simulation.wall_stress import nodes_of
 
-FloatArray = NDArray[np.float64]
-Arrays = dict[str, FloatArray]
 # largest distance of an output from the extreme for its time to be used, as a share of the range
 NEAR = 0.02
 ROUNDING = 1e-9  # relative rounding error of a value

@@ -30,10 +30,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import fatpack
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh
+from riserstudy.records.arrays import Arrays, FloatArray
 from riserstudy.records.numerals import at_most
 from riserstudy.scene.fatigue import Detail, Fatigue, SNCurve
 from riserstudy.scene.limits import ENDS, place_of
@@ -46,8 +46,6 @@ from riserstudy.simulation.wall_stress import Wall, nodes_of, pressures, wall_of
 if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts
 
-Array = NDArray[np.float64]
-Arrays = dict[str, Array]
 YEAR = 365.25 * 86400.0  # s
 MEGA = 1e6  # Pa in the unit of S-N curves
 NONE = 1e-6  # negligible damage per year, whose errors are ignored: a life of a million years
@@ -58,11 +56,11 @@ ORDER = 4.0  # factor by which halving the output interval reduces the loss of d
 class Cycles(NamedTuple):
     """Stress ranges (Pa) and their counts, 1 or one half, both (n,)."""
 
-    ranges: Array
-    counts: Array
+    ranges: FloatArray
+    counts: FloatArray
 
 
-def rainflow(stress: Array) -> Cycles:
+def rainflow(stress: FloatArray) -> Cycles:
     """Cycles of a history (times,), Pa: closed cycles, and half cycles of the residue."""
     points = turning_points(stress)
     if len(points) < 2:
@@ -74,8 +72,8 @@ def rainflow(stress: Array) -> Cycles:
     return Cycles(np.concatenate([whole, half]), counts)
 
 
-def turning_points(values: Array) -> Array:
-    """First and last of some values (n,), and the local extremes between them."""
+def turning_points(values: FloatArray) -> FloatArray:
+    """First and last of some values (n,), and the local extremes between them, in their unit."""
     moved = np.append(True, np.diff(values) != 0.0)
     steps = values[moved]
     turns = np.diff(steps[:-1]) * np.diff(steps[1:]) < 0.0
@@ -175,7 +173,7 @@ def enter(scene: Resolved, mesh: Mesh, arrays: Arrays, facts: RunFacts) -> None:
 
 def _of_block(
     here: list[Part], of: Fatigue, sides: _Sides, node: int, angle: int, detail: int, block: slice
-) -> Array:
+) -> FloatArray:
     """Damage of a detail at a place by a block of outputs, divided by their number (1)."""
     found = _at(here, of, sides, node, angle, block)[[detail]]
     return np.asarray(found / (block.stop - block.start))
@@ -183,7 +181,7 @@ def _of_block(
 
 def _at(
     here: list[Part], of: Fatigue, sides: _Sides, node: int, angle: int, which: slice = slice(None)
-) -> Array:
+) -> FloatArray:
     """Damage (1) of all details at a place, by some of the outputs; NaN for details that are not there.
 
     Where two walls meet, it is the larger damage.
@@ -250,7 +248,7 @@ class _Sides:
         """Index of the first place around the wall with the same stress: in a plane, both sides are equal."""
         return angle if self.components[1] is not None else min(angle, self.angles - angle)
 
-    def stress(self, part: Part, detail: Detail, node: int, angle: int) -> Array:
+    def stress(self, part: Part, detail: Detail, node: int, angle: int) -> FloatArray:
         """History (times,) of the nominal stress of a detail (Pa)."""
         phi = math.tau * angle / self.angles
         first, second = self.components
@@ -266,7 +264,7 @@ class _Sides:
         return np.asarray(own / wall.area - bending * bent * (part.radius / wall.second_moment))
 
 
-def _components(histories: Arrays) -> tuple[Array, Array | None]:
+def _components(histories: Arrays) -> tuple[FloatArray, FloatArray | None]:
     """Moments about the axes y and x that rotate with the pipe, (times, nodes) each; only one in a plane."""
     if "mesh_moment" not in histories:
         still = np.zeros_like(histories["effective_tension"])

@@ -7,18 +7,16 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import sections_of
 from riserstudy.dataset.place_of_crossing import place_of_crossing
 from riserstudy.model.mesh import Mesh
+from riserstudy.records.arrays import Arrays, FloatArray
 from riserstudy.scene.limits import ALONG, SIGNED, Limit
 from riserstudy.scene.pressures import not_in_demand
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.extremes import places, until_release
 
-FloatArray = NDArray[np.float64]
-Arrays = dict[str, FloatArray]
 NEVER, UNKNOWN = "never", "unknown"
 LEAST = 3  # smallest number of outputs for a curvature
 

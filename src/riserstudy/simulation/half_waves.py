@@ -8,15 +8,12 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
 from riserstudy.model.layout import stiffness
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.vortices import shedding_period
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.resolve import Resolved
 
-FloatArray = NDArray[np.float64]
 MOST = 250  # largest number of half waves along a riser that the first mesh resolves
 
 

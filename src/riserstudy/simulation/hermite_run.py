@@ -22,6 +22,7 @@ from riserstudy.model.layout import flexibility_of, stiffness
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.model.sea import current_velocity, still_surface
 from riserstudy.model.warnings_of_scene import warnings_of
+from riserstudy.records.arrays import FloatArray
 from riserstudy.records.warning import warning
 from riserstudy.scene.analysis import Newmark
 from riserstudy.scene.ends import Rotation
@@ -33,7 +34,6 @@ from riserstudy.solve.hermite_beam import Beam, End, HermiteError, Motion, Respo
 if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts
 
-FloatArray = NDArray[np.float64]
 STIFFENING = 0.01  # relative change of the top tension from which on its omission causes a warning
 # correction that ends an iteration (m); on fine elements, rounding errors are 1e-10
 CORRECTION = 1e-8

@@ -18,6 +18,7 @@ from riserstudy.model.platform_motion import centre
 from riserstudy.model.space_out import joint_of
 from riserstudy.model.stops import beyond_its_barrels, joint_stops_touched, stops_touched
 from riserstudy.model.tensioner_law import leaves_table, pushes
+from riserstudy.records.arrays import Arrays, FloatArray
 from riserstudy.records.warning import RunWarning
 from riserstudy.scene.analysis import Output
 from riserstudy.scene.ends import TelescopicJoint
@@ -34,8 +35,6 @@ from riserstudy.solve.write_down import evaluate_once
 if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts
 
-FloatArray = NDArray[np.float64]
-Arrays = dict[str, FloatArray]
 # nodes relative to a segment's lower node, from which values in it are interpolated
 WINDOW = (-1, 0, 1, 2)
 

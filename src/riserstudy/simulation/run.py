@@ -14,6 +14,7 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.model.space_out import joint_of
 from riserstudy.model.warnings_of_scene import warnings_of
+from riserstudy.records.arrays import Arrays
 from riserstudy.records.seen import Seen
 from riserstudy.scene.analysis import Output
 from riserstudy.scene.at_rest import moves_at, unmoved
@@ -174,11 +175,11 @@ def in_motion(
     mesh: Mesh,
     step: float,
     whole: bool,
-    arrays: outputs.Arrays,
+    arrays: Arrays,
     facts: RunFacts,
     watch: Watch,
     judged: bool,
-) -> tuple[outputs.Arrays, Seen]:
+) -> tuple[Arrays, Seen]:
     """Histories and envelopes of a model that starts from rest, and peaks over all time steps.
 
     The audit is added to the facts. ``whole``: histories at all nodes, else at the nodes for the stations.

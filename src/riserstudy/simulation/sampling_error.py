@@ -18,16 +18,16 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from riserstudy.records.arrays import FloatArray
+
 BLOCKS = (4, 8, 16)
 FEWEST = 8  # smallest number of outputs in a block
 #: factor for the difference of two independent runs; a difference up to DOUBTFUL times this counts as chance
 TWO_RUNS, DOUBTFUL = math.sqrt(2.0), 2.0
 
 
-def standard_error(statistic: Callable[[slice], Array], outputs: int, least: int = 0) -> Array:
+def standard_error(statistic: Callable[[slice], FloatArray], outputs: int, least: int = 0) -> FloatArray:
     """Standard error of a mean over some outputs, of each of its values.
 
     Parameters
@@ -38,7 +38,7 @@ def standard_error(statistic: Callable[[slice], Array], outputs: int, least: int
 
     Returns
     -------
-    (k,), infinite for too few outputs.
+    (k,), in the unit of the statistic; infinite for too few outputs.
     """
     found = np.array(math.inf)
     for blocks in BLOCKS:

@@ -5,17 +5,14 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
+from riserstudy.records.arrays import Arrays, FloatArray
 from riserstudy.scene.quantities import wall_lacks
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.curve import curve_of
 from riserstudy.simulation.wall_stress import along_the_riser, nodes_of, wall_of
 from riserstudy.solve.record import NO_SECTION, Record, Section
-
-FloatArray = NDArray[np.float64]
-Arrays = dict[str, FloatArray]
 
 
 def riser_foot(scene: Resolved, mesh: Mesh) -> int:

@@ -9,12 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.model.model import Model
+from riserstudy.records.arrays import Arrays, FloatArray
 from riserstudy.records.seen import Peak
 from riserstudy.simulation.smallest_sizes import smallest_size
 from riserstudy.solve.record import Record
 
-FloatArray = NDArray[np.float64]
-Arrays = dict[str, FloatArray]
 HALVED = 2.0  # room, as a multiple of the planned steps, since some steps may be halved
 MOST = 20_000_000  # largest number of values of all steps: 160 MB
 

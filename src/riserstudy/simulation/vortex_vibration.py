@@ -6,10 +6,10 @@ import math
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.errors import SimulationError
 from riserstudy.model.vortices import ramp_of, shedding, shedding_period, shortest_shedding_period, slowest
+from riserstudy.records.arrays import FloatArray
 from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.limits import OF_ONE_PLACE
 from riserstudy.scene.resolve import Resolved
@@ -28,7 +28,6 @@ from riserstudy.simulation.vortex_vibration_statistics import (
 if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts
 
-Array = NDArray[np.float64]
 LATER = 0.5  # share of the time after all ramps that is evaluated
 FEWEST = 16  # smallest number of outputs for statistics
 STEPS, OUTPUTS = 20, 4  # smallest numbers of time steps and outputs in a period of the vortices
@@ -55,7 +54,7 @@ def since(scene: Resolved) -> float | None:
     return start
 
 
-def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFacts) -> None:
+def enter(scene: Resolved, step: float, arrays: dict[str, FloatArray], facts: RunFacts) -> None:
     """Add a run's vibration to its facts: start of the evaluated time, root mean square, place, frequency.
 
     There is a warning if time steps (s) or output intervals are too long for the vortices; with too few
@@ -135,7 +134,7 @@ def _too_long(scene: Resolved, step: float, fastest: float) -> list[RunWarning]:
     ]
 
 
-def _shortest_shedding(scene: Resolved, arrays: dict[str, Array]) -> float:
+def _shortest_shedding(scene: Resolved, arrays: dict[str, FloatArray]) -> float:
     """Shortest shedding period (s) of a run, which knows how fast its vessel drifted."""
     drift = 0.0
     if scene.vessel:
@@ -155,7 +154,7 @@ def _shortest_period(scene: Resolved, shedding: float) -> tuple[float, str]:
     return shedding, "shortest shedding period"
 
 
-def _scatter(parts: list[Array], s: Array) -> float:
+def _scatter(parts: list[FloatArray], s: FloatArray) -> float:
     """Relative difference of root mean squares at places between both halves of the evaluated time (1)."""
     half = len(parts[0]) // 2
     first, second = (

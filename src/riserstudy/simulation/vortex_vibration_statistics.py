@@ -9,11 +9,10 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from riserstudy.records.arrays import FloatArray
 from riserstudy.simulation.sampling_error import standard_error
 
-Array = NDArray[np.float64]
 # shortest block, as a share of the vibration's longest period: shorter blocks resolve the periods
 SLOW = 0.5
 FEWEST_PERIODS = 8  # smallest number of periods for an error of the frequency
@@ -26,16 +25,16 @@ FIELDS = (*MOVED, "effective_tension", "bending_moment")
 class Statistics(NamedTuple):
     """Statistics of a run at places of the riser, over the evaluated time."""
 
-    s: Array  # (n,) places (m)
-    square: Array  # (n,) mean square of the displacement about its linear trend in time (m2)
-    means: Array  # (k, n) mean displacements (m)
+    s: FloatArray  # (n,) places (m)
+    square: FloatArray  # (n,) mean square of the displacement about its linear trend in time (m2)
+    means: FloatArray  # (k, n) mean displacements (m)
     # where the vibration is largest (Hz); None where outputs do not show it
     frequency: float | None
-    moment_square: Array | None  # (n,) mean square of the bending moment (N2 m2)
-    tension: Array | None  # (n,) mean tension (N)
-    tension_square: Array | None  # (n,) mean square of the tension (N2)
+    moment_square: FloatArray | None  # (n,) mean square of the bending moment (N2 m2)
+    tension: FloatArray | None  # (n,) mean tension (N)
+    tension_square: FloatArray | None  # (n,) mean square of the tension (N2)
 
-    def at(self, places: Array) -> Statistics:
+    def at(self, places: FloatArray) -> Statistics:
         """The statistics at other places, (k,), m, by cubic interpolation."""
         from scipy.interpolate import CubicSpline
 
@@ -66,9 +65,9 @@ def of_plain(data: dict[str, Any]) -> Statistics:
 
 
 def statistics(
-    histories: dict[str, Array],
-    places: Array,
-    time: Array,
+    histories: dict[str, FloatArray],
+    places: FloatArray,
+    time: FloatArray,
     above: float,
     with_frequency: bool,
     most: int | None = None,
@@ -100,8 +99,8 @@ def statistics(
     )
 
 
-def principal(away: list[Array], most: int) -> Array:
-    """The vibration (times,) at a place, along the direction in which it is largest."""
+def principal(away: list[FloatArray], most: int) -> FloatArray:
+    """The vibration (m), (times,), at a place, along the direction in which it is largest."""
     motion = np.stack([one[:, most] for one in away])
     return np.asarray(np.linalg.eigh(motion @ motion.T)[1][:, -1] @ motion)
 
@@ -131,7 +130,7 @@ def apart(low: Statistics, up: Statistics) -> dict[str, float]:
 
 
 def sampling(
-    histories: dict[str, Array], places: Array, time: Array, above: float, with_frequency: bool
+    histories: dict[str, FloatArray], places: FloatArray, time: FloatArray, above: float, with_frequency: bool
 ) -> dict[str, float]:
     """Relative standard errors of the quantities in `apart`; arguments are as in `statistics`.
 
@@ -168,7 +167,7 @@ def rounding_of(name: str, length: float) -> float:
     return {"angle": UPRIGHT, "displacement": NONE * length, "stroke": NONE * length}.get(name, 0.0)
 
 
-def sampling_of_one_place(histories: list[Array], zero: float) -> float | None:
+def sampling_of_one_place(histories: list[FloatArray], zero: float) -> float | None:
     """Standard error of outputs of one place, divided by their largest value; None if all values are zero.
 
     It is the largest of the errors of means, of scatter about them, and of the largest values. For the
@@ -190,12 +189,12 @@ def sampling_of_one_place(histories: list[Array], zero: float) -> float | None:
     return max(errors) / scale
 
 
-def _of_blocks(values: Array, statistic: Any) -> float:
+def _of_blocks(values: FloatArray, statistic: Any) -> float:
     """Standard error of a statistic of values (times,)."""
     return float(standard_error(lambda b: np.array([statistic(values[b])]), len(values)).max())
 
 
-def vibration(motion: Array, time: Array, above: float) -> Array:
+def vibration(motion: FloatArray, time: FloatArray, above: float) -> FloatArray:
     """A motion (times, places) without its slow part.
 
     The slow part is the best linear trend in time, plus the slow cosines of the remainder. Cosines do not
@@ -217,25 +216,25 @@ def vibration(motion: Array, time: Array, above: float) -> Array:
     return np.asarray(away - cosines @ (cosines.T @ away) * (2.0 / count))
 
 
-def along(squares: Array, s: Array) -> float:
+def along(squares: FloatArray, s: FloatArray) -> float:
     """Root mean square along the riser, from squares at places s (m), (n,) each; in the unit of the root."""
     return float(np.sqrt(np.trapezoid(squares, s) / (s[-1] - s[0]))) if len(s) > 1 else 0.0
 
 
-def frequency(time: Array, away: Array) -> float:
+def frequency(time: FloatArray, away: FloatArray) -> float:
     """Frequency (Hz) of a vibration (times,), from its crossings of zero; 0 for fewer than three."""
     crossed = _crossings(time, away)
     halves = len(crossed) - 1
     return float(0.5 * halves / (crossed[-1] - crossed[0])) if halves > 1 else 0.0
 
 
-def _crossings(time: Array, away: Array) -> Array:
+def _crossings(time: FloatArray, away: FloatArray) -> FloatArray:
     """Times (s) at which a vibration (times,) crosses zero, upwards or downwards."""
     at = np.flatnonzero((away[:-1] < 0.0) != (away[1:] < 0.0))
     return np.asarray(time[at] - away[at] * (time[at + 1] - time[at]) / (away[at + 1] - away[at]))
 
 
-def _of_rms(squares: Array, s: Array, least: int) -> float:
+def _of_rms(squares: FloatArray, s: FloatArray, least: int) -> float:
     """Relative standard error of a root mean square over times and places (m); squares (times, places)."""
     whole = along(squares.mean(axis=0), s) ** 2
     error = standard_error(
@@ -244,7 +243,7 @@ def _of_rms(squares: Array, s: Array, least: int) -> float:
     return float(0.5 * error.max() / whole) if whole > 0.0 else 0.0
 
 
-def _of_means(each: list[Array], least: int) -> float:
+def _of_means(each: list[FloatArray], least: int) -> float:
     """Largest standard error of means at places, divided by the largest mean; histories (times, places)."""
     scale = max(float(np.abs(one.mean(axis=0)).max()) for one in each)
     stacked = np.concatenate(each, axis=1)
@@ -252,7 +251,7 @@ def _of_means(each: list[Array], least: int) -> float:
     return float(error.max()) / scale if scale > 0.0 else 0.0
 
 
-def _of_frequency(time: Array, motion: Array) -> float:
+def _of_frequency(time: FloatArray, motion: FloatArray) -> float:
     """Relative standard error of a vibration's frequency (times,), from quarters of its half periods."""
     halves = np.diff(_crossings(time, motion))
     if len(halves) < 2 * FEWEST_PERIODS:
@@ -261,13 +260,13 @@ def _of_frequency(time: Array, motion: Array) -> float:
     return float(np.std(quarters, ddof=1) / 2.0 / halves.mean())
 
 
-def _of_size(places: Array, low: Array, up: Array) -> float:
+def _of_size(places: FloatArray, low: FloatArray, up: FloatArray) -> float:
     """Relative difference of the root mean squares along the riser, from mean squares at places (m)."""
     coarse, fine = (along(squares, places) for squares in (low, up))
     return abs(coarse - fine) / fine if fine > 0.0 else 0.0
 
 
-def _relative(pairs: list[tuple[Array, Array]]) -> float:
+def _relative(pairs: list[tuple[FloatArray, FloatArray]]) -> float:
     """The largest difference divided by the largest value."""
     scale = max(float(np.abs(up).max()) for _, up in pairs)
     off = max(float(np.abs(up - low).max()) for low, up in pairs)

@@ -21,15 +21,13 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.pressures import pressures as columns_at_rest
 from riserstudy.scene.quantities import wall_lacks
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
-
-FloatArray = NDArray[np.float64]
 
 
 class Wall(NamedTuple):

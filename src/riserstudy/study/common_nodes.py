@@ -5,15 +5,14 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from riserstudy.records.arrays import FloatArray
 
 NODE_DIGITS = 6  # nodes that differ by less than a micrometre are one node
 _WHOLE = 1e-6  # a number of segments that exceeds an integer by less than this is the integer
 
 
-def common_nodes(meshes: list[Array]) -> Array:
+def common_nodes(meshes: list[FloatArray]) -> FloatArray:
     """Nodes (m, shape (n,)) that are, at each place, as close as those of the mesh that is finest there.
 
     Kept are the upper end of each riser, and each node of all risers that reach it, as at the end of a
@@ -38,7 +37,7 @@ def common_nodes(meshes: list[Array]) -> Array:
     return np.unique(np.concatenate(placed))
 
 
-def _least_spacing(meshes: list[Array], nodes: Array) -> Array:
+def _least_spacing(meshes: list[FloatArray], nodes: FloatArray) -> FloatArray:
     """Length (m) of the shortest segment of any mesh between consecutive nodes (all nodes of all meshes)."""
     starts = np.concatenate([np.searchsorted(nodes, mesh[:-1]) for mesh in meshes])
     ends = np.concatenate([np.searchsorted(nodes, mesh[1:]) for mesh in meshes])

@@ -6,13 +6,12 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.dataset.fit_bias import ends_of_band, error_of
 from riserstudy.dataset.statistics import FEWEST_SEEDS, NOT_EXCEEDED, gumbel
 from riserstudy.errors import InputError
+from riserstudy.records.arrays import FloatArray
 
-FloatArray = NDArray[np.float64]
 ALIKE = 1e-9  # relative spread of seeds that counts as rounding
 BAND = 0.9  # share of cases in which the band of a demand contains its true value
 

@@ -12,13 +12,12 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.dataset.unit_systems import AS_STORED
 from riserstudy.errors import InputError
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.units import UnitFault, factor
 
-FloatArray = NDArray[np.float64]
 _NUMBER = r"-?(?:\d+\.?\d*|\.\d+)"
 _LENGTHS = {"m": 1.0, "ft": 0.3048}
 _PLACE = rf"(?P<place>{_NUMBER}(?:e[+-]?\d+)?) (?P<length>{'|'.join(_LENGTHS)})|cylinder (?P<cylinder>\d+)"

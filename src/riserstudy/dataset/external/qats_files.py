@@ -9,11 +9,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.errors import InputError, printable
+from riserstudy.records.arrays import FloatArray
 
-FloatArray = NDArray[np.float64]
 #: endings of files that QATS reads; its pickles are not allowed, because opening a pickle executes its
 #: content
 ENDINGS = (".ts", ".tda", ".asc", ".bin", ".dat", ".h5", ".mat", ".tdms", ".outb", ".out")

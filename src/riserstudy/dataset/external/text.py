@@ -13,14 +13,13 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.inputs.number_cell import number_in
 from riserstudy.inputs.text import read_text
+from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.units import MOST
 
-FloatArray = NDArray[np.float64]
 MOST_BYTES = 100_000_000
 MISSING = ("", "-", "~", "n/a", "nan")  # cells without a number
 MARKS = (("tab", "\t"), ("semicolon", ";"), ("comma", ","))
