@@ -12,11 +12,9 @@ from riserstudy.cli.shared import (
     SceneArgument,
     SetOption,
     UnitsOption,
-    announce,
-    compile_kernels,
-    print_warnings,
     require_limits,
     scene_of,
+    simulated,
 )
 from riserstudy.dataset.unit_systems import UnitSystem
 
@@ -41,13 +39,9 @@ def check(
     """
     file = scene_of(scene, settings, accuracy)
     require_limits(file)
-    compile_kernels(file.resolved())
+    dataset = simulated(file)
     from riserstudy.dataset.limits import EXCEEDED, UNKNOWN
-    from riserstudy.simulation.simulate import simulate
 
-    announce(file)
-    dataset = simulate(file)
-    print_warnings(dataset)
     show_limits(dataset, units)
     verdicts = {row["verdict"] for row in json.loads(dataset.attrs["limits"])}
     if verdicts & {EXCEEDED, UNKNOWN}:

@@ -14,14 +14,12 @@ from riserstudy.cli.shared import (
     CsvOption,
     SceneArgument,
     SetOption,
-    announce,
     check_targets,
-    compile_kernels,
-    print_warnings,
     quantity,
     save_dataset,
     scene_of,
     show,
+    simulated,
 )
 from riserstudy.cli.targets import ForceOption, Writes
 from riserstudy.errors import InputError
@@ -53,13 +51,9 @@ def recoil(
     if file.resolved().disconnect is None:
         allowed = "add, for example, `disconnect: {at: 12 s}`"
         raise InputError(file.source, "disconnect", "missing, so the riser does not disconnect", allowed)
-    compile_kernels(file.resolved())
+    dataset = simulated(file)
     from riserstudy.dataset import recoil_table
-    from riserstudy.simulation.simulate import simulate
 
-    announce(file)
-    dataset = simulate(file)
-    print_warnings(dataset)
     show(recoil_table.recoil(file.resolved(), dataset), csv)
     show_limits(dataset)
     save_dataset(dataset, output)
@@ -115,13 +109,9 @@ def watch_circles(
             why = "no limit of the scene has this mode of operation"
             raise InputError("--mode", one.value, why, "choose another mode, or add such a limit")
     modes = [one.value for one in Mode if one.value in limited and (not mode or one in mode)]
-    compile_kernels(of)
-    from riserstudy.simulation.simulate import simulate
+    dataset = simulated(file)
     from riserstudy.study.in_sea import one_sea
 
-    announce(file)
-    dataset = simulate(file)
-    print_warnings(dataset)
     found = circles(of, dataset, Times(*times), modes)
     show(found.table, csv)
     if chance := one_sea(of):

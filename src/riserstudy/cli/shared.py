@@ -241,6 +241,17 @@ def positive(option: str, text: str, unit: str) -> float:
     return value
 
 
+def simulated(file: Any) -> Any:
+    """The dataset of a scene's run, with the estimated time before the run and its warnings after it."""
+    compile_kernels(file.resolved())
+    from riserstudy.simulation.simulate import simulate
+
+    announce(file)
+    dataset = simulate(file)
+    print_warnings(dataset)
+    return dataset
+
+
 def recipe_lines(scene: Resolved) -> list[str]:
     """The recipe for long records in words; empty for other scenes."""
     from riserstudy.records.numerals import duration
