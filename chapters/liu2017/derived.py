@@ -115,11 +115,15 @@ def riser_stress(run: xr.Dataset) -> xr.DataArray:
     riser = json.loads(run.attrs["scene"])["riser"]
     below = sum(to_si(section["length"], "m") for section in riser[:2])
     pipe = run.sel(s=slice(below, below + to_si(riser[2]["length"], "m")))
-    outer, inner = (to_si(riser[2][f"{side}_diameter"], "m") for side in ("outer", "inner"))
+    return _stress(riser[2], pipe["effective_tension"], pipe["bending_moment"]).max("s")
+
+
+def _stress(section: dict[str, Any], tension: xr.DataArray, moment: xr.DataArray) -> xr.DataArray:
+    """Stress (Pa) at the outer fibre of a section of the scene's file."""
+    outer, inner = (to_si(section[f"{side}_diameter"], "m") for side in ("outer", "inner"))
     area = 0.25 * math.pi * (outer**2 - inner**2)
     fibre = 32.0 * outer / (math.pi * (outer**4 - inner**4))
-    stress: xr.DataArray = abs(pipe["effective_tension"]) / area + fibre * abs(pipe["bending_moment"])
-    return stress.max("s")
+    return abs(tension) / area + fibre * abs(moment)
 
 
 def calibration(fits: xr.Dataset, deadline: float) -> xr.Dataset:
@@ -217,10 +221,7 @@ def _at_rest(rest: xr.Dataset) -> xr.Dataset:
     stiffness = to_si(riser[2]["flex_joint_below"]["stiffness"], "N*m/rad")
     foot = WELLHEAD + to_si(riser[1]["length"], "m")
     conductor = rest["s_node"] <= WELLHEAD + 1e-6
-    outer, inner = (to_si(riser[0][f"{side}_diameter"], "m") for side in ("outer", "inner"))
-    area = 0.25 * math.pi * (outer**2 - inner**2)
-    fibre = 32.0 * outer / (math.pi * (outer**4 - inner**4))
-    stress = abs(rest["effective_tension_static"]) / area + fibre * abs(moment)
+    stress = _stress(riser[0], rest["effective_tension_static"], moment)
     return xr.Dataset(
         {
             "ufj_angle": np.arctan2(across, up) + bend,

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from chapters.numerics import closed_forms as known
 from chapters.numerics.validation_row import CLOSED, Files, Row, simulated
 from riserstudy.scene.load import SceneFile
-
-if TYPE_CHECKING:
-    pass
-
 
 GAS = {"area": 0.1, "pressure": 150e5, "volume": 3.0, "exponent": 1.4}
 

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from chapters.numerics import closed_forms as known
 from chapters.numerics.validation_row import CLOSED, FOURTH, Files, Row, frequencies_of, hung, pipe_of
-
-if TYPE_CHECKING:
-    pass
 
 
 def taut_beam(files: Files) -> Iterator[Row]:

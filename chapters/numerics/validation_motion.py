@@ -6,7 +6,7 @@ import json
 import math
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,10 +17,6 @@ from chapters.numerics.validation_row import CLOSED, CONSERVED, SECOND, Files, R
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT
-
-if TYPE_CHECKING:
-    pass
-
 
 SURGE = {"analysis.duration": "60 s", "analysis.output": {"interval": "0.25 s"}}
 

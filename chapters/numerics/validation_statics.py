@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,9 +20,6 @@ from chapters.numerics.validation_row import (
     simulated,
 )
 from riserstudy.scene.load import SceneFile
-
-if TYPE_CHECKING:
-    pass
 
 
 def column(_: Files) -> Iterator[Row]:

@@ -9,7 +9,7 @@ import xarray as xr
 
 from chapters.liu2020.below_ring import RING
 from chapters.liu2020.claims.system import (
-    INCH,
+    SECTION_MODULUS,
     WITHOUT,
     constant_tension,
     lags,
@@ -188,12 +188,10 @@ def waves_on_the_riser(waves: xr.Dataset) -> dict[str, Any]:
 
 def stresses(roll: xr.Dataset) -> dict[str, Any]:
     """Stress of the printed moment (MPa), as an amplitude and as a peak-to-peak range."""
-    outer, inner = 21.0 * INCH, 19.0 * INCH
-    modulus = np.pi / 32.0 * (outer**4 - inner**4) / outer
     return {
         "moment": float(largest_moment(roll, 4.0, 10.0).value),
-        "amplitude": 32.8e3 / modulus / 1e6,
-        "range": 2.0 * 32.8e3 / modulus / 1e6,
+        "amplitude": 32.8e3 / SECTION_MODULUS / 1e6,
+        "range": 2.0 * 32.8e3 / SECTION_MODULUS / 1e6,
     }
 
 

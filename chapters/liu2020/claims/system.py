@@ -25,7 +25,9 @@ GRIDS = {
     "5, 8, 12, 20 s": [5.0, 8.0, 12.0, 20.0],
     "5, 6, 7, 8, 10, 12, 15, 20 s": [5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 20.0],
 }
-INCH, DEGREES = 0.0254, 180.0 / np.pi  # m; degrees per radian
+DEGREES = 180.0 / np.pi  # degrees per radian
+OUTER, INNER = 21.0 * 0.0254, 19.0 * 0.0254  # m, diameters of the pipe
+SECTION_MODULUS = np.pi / 32.0 * (OUTER**4 - INNER**4) / OUTER  # m3
 STEEPEST, GRAVITY = 0.142, 9.81  # height of a breaking wave divided by its length (Michell); m/s2
 
 # Table 2 and the constant tension
@@ -167,7 +169,11 @@ def lags(surge: xr.Dataset, later: Word) -> Found:
     A lag of x rad makes a difference of x times the amplitude. ``later`` bounds this difference.
     """
     lag = surge["displacement_lag"]
-    phase_lag = lag.sel(tensioner_model="gas law", drop=True) - _without(lag)
+    return _later_at_every_depth(lag.sel(tensioner_model="gas law", drop=True) - _without(lag), later)
+
+
+def _later_at_every_depth(phase_lag: xr.DataArray, later: Word) -> Found:
+    """A lag (rad, in any turn) bounded at every depth; value: least lag (degrees)."""
     phase_lag = (phase_lag + np.pi) % (2.0 * np.pi) - np.pi
     by_depth = Condition(phase_lag - later.bound, abs(phase_lag) < later.band)
     return judged(phase_lag.min("depth") * DEGREES, all_along(by_depth, "depth"))
@@ -180,9 +186,7 @@ def flexibility_makes_the_lag(surge: xr.Dataset, stiff: xr.Dataset, later: Word)
     """
     gas = surge["displacement_lag"].sel(tensioner_model="gas law", drop=True)
     without = stiff["displacement_lag"].sel(tensioner_model="stiff", drop=True)
-    phase_lag = (gas - without + np.pi) % (2.0 * np.pi) - np.pi
-    by_depth = Condition(phase_lag - later.bound, abs(phase_lag) < later.band)
-    return judged(phase_lag.min("depth") * DEGREES, all_along(by_depth, "depth"))
+    return _later_at_every_depth(gas - without, later)
 
 
 # Figs 19 and 20: roll
@@ -196,9 +200,7 @@ def largest_moment(roll: xr.Dataset, amplitude: float, period: float) -> Found:
 
 def bending_stress(roll: xr.Dataset, amplitude: float, period: float) -> Found:
     """Outer-fibre stress of the largest moment, as amplitude and as peak-to-peak range (MPa)."""
-    outer, inner = 21.0 * INCH, 19.0 * INCH
-    modulus = np.pi / 32.0 * (outer**4 - inner**4) / outer
-    stress = 1e3 * largest_moment(roll, amplitude, period).value / modulus / 1e6
+    stress = 1e3 * largest_moment(roll, amplitude, period).value / SECTION_MODULUS / 1e6
     names = xr.DataArray(["amplitude", "peak to peak"], dims="reading", name="reading")
     return Found(xr.concat([stress, 2.0 * stress], names))
 

@@ -146,8 +146,7 @@ def change_near_the_lmrp(runs: xr.Dataset) -> Found:
 
     Value: ratio of the mean change in the lower half to the mean change in the upper half.
     """
-    away = abs(displacement(runs)).sel(time=STATED, drop=True)
-    change = away.sel(lmrp_mass=120.0, drop=True) - away.sel(lmrp_mass=140.0, drop=True)
+    change = _change_by_lighter_lmrp(runs)
     lower, upper = halves(change)
     ratio = lower / upper
     at_lmrp = change.isel(s=0, drop=True)
@@ -159,10 +158,15 @@ def change_near_the_lmrp(runs: xr.Dataset) -> Found:
     return judged(ratio, margin)
 
 
+def _change_by_lighter_lmrp(runs: xr.Dataset) -> xr.DataArray:
+    """Change of the distance along the riser, from an LMRP of 140 t to one of 120 t."""
+    away = abs(displacement(runs)).sel(time=STATED, drop=True)
+    return away.sel(lmrp_mass=120.0, drop=True) - away.sel(lmrp_mass=140.0, drop=True)
+
+
 def change_arises_near_the_lmrp(runs: xr.Dataset, at_least: float) -> Found:
     """Most of the change by a lighter LMRP arises in the lowest quarter; value: share of this quarter."""
-    away = abs(displacement(runs)).sel(time=STATED, drop=True)
-    change = away.sel(lmrp_mass=120.0, drop=True) - away.sel(lmrp_mass=140.0, drop=True)
+    change = _change_by_lighter_lmrp(runs)
     quarter = 0.25 * float(change["s"][-1])
     low = change.isel(s=0, drop=True)
     share = (low - change.interp(s=quarter).drop_vars("s")) / low

@@ -45,10 +45,14 @@ def below(value: Value, bound: Value, over: Value | None = None) -> xr.DataArray
 
 def rising(values: xr.DataArray, axis: str, sign: float = 1.0) -> xr.DataArray:
     """Smallest relative increase (sign 1) or decrease (-1) of values from step to step along an axis."""
+    return everywhere(steps(values, axis, sign), axis)
+
+
+def steps(values: xr.DataArray, axis: str, sign: float) -> xr.DataArray:
+    """Relative increases (sign 1) or decreases (-1) of values from step to step along an axis."""
     before, after = values.isel({axis: slice(None, -1)}), values.isel({axis: slice(1, None)})
     before = before.assign_coords({axis: after[axis]})
-    step = above(after, before) if sign > 0 else above(before, after)
-    return everywhere(step, axis)
+    return above(after, before) if sign > 0 else above(before, after)
 
 
 def everywhere(margin: xr.DataArray, dims: str | list[str]) -> xr.DataArray:

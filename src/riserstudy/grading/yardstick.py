@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from riserstudy.grading.margin import Value, above
+from riserstudy.grading.margin import Value, above, rising
 from riserstudy.grading.word_of_size import Word
 
 
@@ -50,11 +50,8 @@ def growing(values: xr.DataArray, axis: str, word: Word, sign: float = 1.0) -> C
     dead band.
     """
     first, last = (values.isel({axis: end}, drop=True) for end in (0, -1))
-    before, after = values.isel({axis: slice(None, -1)}), values.isel({axis: slice(1, None)})
-    before = before.assign_coords({axis: after[axis]})
-    steps = above(after, before) if sign > 0 else above(before, after)
     whole = more(last, first, word) if sign > 0 else less(last, first, word)
-    return all_of(whole, plain(steps.min(axis, skipna=False) + word.band))
+    return all_of(whole, plain(rising(values, axis, sign) + word.band))
 
 
 def more_on_the_whole(
