@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from riserstudy.dataset.limits import EXCEEDED
+from riserstudy.dataset.limits import EXCEEDED, limit_in_words
 from riserstudy.dataset.table import aligned
 from riserstudy.dataset.unit_systems import UnitSystem, read_in
 from riserstudy.scene.limits import UNITS
@@ -40,8 +40,7 @@ def lines(rows: list[dict[str, Any]], system: UnitSystem = UnitSystem.FIELD) -> 
 
 
 def _name(row: dict[str, Any]) -> str:
-    place = f" at {row['at']}" if row["at"] else ""
-    return f"{row['mode']}: {row['side']} {row['output']}{place}"
+    return limit_in_words(row["mode"], row["side"], row["output"], row["at"])
 
 
 def _rank(row: dict[str, Any]) -> tuple[bool, bool, float]:

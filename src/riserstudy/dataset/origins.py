@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from riserstudy.scene.origin import unwrap
-from riserstudy.scene.paths import within
+from riserstudy.scene.paths import within_any
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -34,7 +34,7 @@ def origins_of(dataset: xr.Dataset) -> dict[str, str]:
     for axis in (*axes, *picked):
         sets = json.loads(dataset[axis].attrs.get("sets", "{}"))
         values = [sets.get(str(value), {}) for value in np.ravel(dataset[axis].values).tolist()]
-        of = {p: found for p, found in of.items() if not all(_cover(one, p) for one in values)}
+        of = {p: found for p, found in of.items() if not all(within_any(p, one) for one in values)}
         for path, status in _statuses(values):
             of.setdefault(path, set()).add(status)
     return _first(of)
@@ -51,11 +51,6 @@ def joined(origins: Iterable[Mapping[str, str]]) -> dict[str, str]:
 
 def _first(of: Mapping[str, set[str]]) -> dict[str, str]:
     return {path: min(found, key=FIRST.index) for path, found in of.items()}
-
-
-def _cover(sets: Mapping[str, Any], path: str) -> bool:
-    """Whether a value of an axis replaces the value at a path."""
-    return any(within(path, own) for own in sets)
 
 
 def _statuses(values: Iterable[Mapping[str, Any]]) -> Iterator[tuple[str, str]]:

@@ -11,7 +11,7 @@ from typing import Any
 from riserstudy.errors import InputError, on_one_line
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.origin import CALLED
-from riserstudy.scene.paths import last_name, leaves, parent, within, without_indices
+from riserstudy.scene.paths import last_name, leaves, parent, within, within_any, without_indices
 from riserstudy.scene.resolve import Resolved
 
 PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9 _.,/+-]*[A-Za-z0-9)]|[A-Za-z]")
@@ -46,9 +46,9 @@ class Deck:
         for path, _ in leaves(self.file.tree):
             bare = without_indices(path)
             called = last_name(bare) in CALLED
-            if called or any(within(bare, place) for place in self.carried):
+            if called or within_any(bare, self.carried):
                 continue
-            if not any(within(path, place) for place in self.otherwise):
+            if not within_any(path, self.otherwise):
                 above = parent(bare)
                 whole = bare.count(".") > 1 and not any(within(p, above) for p in self.carried)
                 missing[above if whole else bare] = None

@@ -14,7 +14,7 @@ from riserstudy.grading.printed import printed_as, printed_inputs
 from riserstudy.records.units import after_number
 from riserstudy.records.words import counted, listed
 from riserstudy.scene.origin import CALLED
-from riserstudy.scene.paths import last_name, within
+from riserstudy.scene.paths import last_name, within, within_any
 from riserstudy.study.axes import Numbers
 from riserstudy.study.models import StudyFile
 from riserstudy.study.study import scene_file
@@ -118,7 +118,7 @@ def _values(
             values[path] = (value, origins[origin], evidence.get(origin, ""))
         elif printed is not None:
             values[path] = (value, plain, printed.where)
-        elif any(within(path, place) for place in study.on_top):
+        elif within_any(path, study.on_top):
             values[path] = (value, "chosen", "set by the study")
         elif path not in written:
             values[path] = (value, "chosen", f"set by the tier {dataset.attrs['tier']}")

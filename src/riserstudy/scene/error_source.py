@@ -10,7 +10,7 @@ from pydantic import BaseModel
 
 from riserstudy.errors import InputError
 from riserstudy.scene.models import Scene
-from riserstudy.scene.paths import within, without_indices
+from riserstudy.scene.paths import meets, within, without_indices
 
 
 def attribute_error(error: InputError, layers: dict[str, str], tables: dict[str, str]) -> InputError:
@@ -40,11 +40,7 @@ def attribute_error(error: InputError, layers: dict[str, str], tables: dict[str,
 def _between(error: InputError, every: dict[str, str]) -> InputError:
     """An error about several fields, located at the scene together with each file that set one of them."""
     places = (error.field, *error.also)
-    files = {
-        file
-        for path, file in every.items()
-        if any(within(place, path) or within(path, place) for place in places)
-    }
+    files = {file for path, file in every.items() if any(meets(place, path) for place in places)}
     where = _together(error, files)
     return InputError(where, error.field, error.found, error.allowed, error.also)
 

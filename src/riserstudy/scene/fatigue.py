@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal, NamedTuple, Self
+from typing import Annotated, Any, Literal, NamedTuple, Self
 
 from pydantic import Field, model_validator
 
@@ -16,9 +16,6 @@ from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import POSITIVE, WHOLE
 from riserstudy.scene.limits import ENDS, place_of, sections_at
-
-if TYPE_CHECKING:
-    pass
 
 DATA_FILES = ("sn_curves.yaml",)
 A_PERIOD = 8  # smallest number of outputs in a period: with fewer, outputs miss the peaks of stress

@@ -16,7 +16,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from riserstudy.scene.paths import last_name, leaves, within
+from riserstudy.scene.paths import last_name, leaves, within_any
 
 STATUSES = ("assumed", "derived", "calibrated", "chosen")
 COMPANIONS = {
@@ -26,6 +26,8 @@ COMPANIONS = {
     "chosen": {"because"},
 }
 NEEDED = {"assumed": ["because"], "derived": [], "calibrated": ["to"], "chosen": ["because"]}
+#: statuses that require a reason, as messages call their values
+REASONED = {"assumed": "the assumption", "chosen": "the choice"}
 #: last names of paths that hold names and notes of a scene and its parts, not values
 CALLED = ("title", "note", "paper", "name")
 
@@ -83,10 +85,8 @@ def _unwrap_one(tree: dict[str, Any], path: str, status: list[str]) -> Unwrapped
     if not isinstance(options, list):
         faults.append((f"{path}.options", f"{options!r} is not a list", "write a list, [first, second]"))
         options = []
-    if kind == "assumed" and "because" not in tree:
-        faults.append((path, "the assumption has no reason", "add 'because:' with the reason in one line"))
-    if kind == "chosen" and "because" not in tree:
-        faults.append((path, "the choice has no reason", "add 'because:' with the reason in one line"))
+    if kind in REASONED and "because" not in tree:
+        faults.append((path, f"{REASONED[kind]} has no reason", "add 'because:' with the reason in one line"))
     if kind == "calibrated" and "to" not in tree:
         found = "the published value of the calibration is missing"
         faults.append((path, found, "add 'to: paper/ID', such as 'to: liu2020/N3'"))
@@ -99,5 +99,5 @@ def plain_values(tree: dict[str, Any], origins: Mapping[str, Origin]) -> Iterato
     """Values of a scene, by dotted path, whose origin is not stated."""
     for path, value in leaves(tree):
         called = last_name(path) in CALLED
-        if not called and not any(within(path, place) for place in origins):
+        if not called and not within_any(path, origins):
             yield path, value

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from typing import Any
 
@@ -85,6 +85,16 @@ def leaves(tree: Any, path: str = "") -> Iterator[tuple[str, Any]]:
 def within(path: str, place: str) -> bool:
     """Whether a path is ``place`` or is below it."""
     return path == place or path.startswith((f"{place}.", f"{place}["))
+
+
+def within_any(path: str, places: Iterable[str]) -> bool:
+    """Whether a path is one of some places or is below it."""
+    return any(within(path, place) for place in places)
+
+
+def meets(one: str, other: str) -> bool:
+    """Whether two paths are equal, or one is below the other."""
+    return within(one, other) or within(other, one)
 
 
 def and_above(path: str) -> Iterator[str]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from riserstudy.inputs.misfit import Misfit
-from riserstudy.scene.paths import within
+from riserstudy.scene.paths import within, within_any
 
 
 def replaced(paths: Iterable[str]) -> tuple[str, str] | None:
@@ -26,7 +26,7 @@ def replaced(paths: Iterable[str]) -> tuple[str, str] | None:
 
 def set_later(sets: dict[str, Any], later: dict[str, Any]) -> dict[str, Any]:
     """Values by path, with later values in place of those at and below their paths."""
-    return {path: v for path, v in sets.items() if not any(within(path, place) for place in later)} | later
+    return {path: v for path, v in sets.items() if not within_any(path, later)} | later
 
 
 def check_sets(sets: dict[str, Any]) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Coefficient
 from riserstudy.scene.damping import DampingAtPeriod
-from riserstudy.scene.modules_and_lines import Line, Modules, check_wall
+from riserstudy.scene.modules_and_lines import Line, Modules, check_wall, disc
 
 RIGID = 1e3  # ratio of the bending stiffness of a rigid body to that of the section above it
 
@@ -93,7 +93,7 @@ class AddedMass(Strict):
 
     def displaced(self, density: float) -> float:
         """Mass of the displaced water (kg/m)."""
-        return density * 0.25 * math.pi * self.diameter**2
+        return density * disc(self.diameter)
 
 
 def _must_rise(frequencies: list[float]) -> None:
@@ -383,7 +383,7 @@ class Section(Strict):
     @property
     def contents_mass(self) -> float:
         """Mass of the fluid inside (kg/m)."""
-        bore = 0.25 * math.pi * (self.inner_diameter or 0.0) ** 2
+        bore = disc(self.inner_diameter or 0.0)
         return self.contents.density * bore if self.contents else 0.0
 
     @property

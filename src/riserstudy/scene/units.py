@@ -19,6 +19,7 @@ from riserstudy.inputs.percent import NUMBER
 if TYPE_CHECKING:
     import pint
 
+GRAVITY = 9.80665  # m/s2, standard acceleration
 ATMOSPHERE = 101325.0  # Pa, absolute pressure minus gauge pressure
 DATA_FILES = ("usual_units.json",)
 #: factors of usual units from pint, by SI unit and name. They are stored because pint needs 0.4 s to start,
@@ -222,7 +223,6 @@ Damping = Annotated[float, Unit("N*s/m")]
 BendingStiffness = Annotated[float, Unit("N*m^2")]
 RotationalDamping = Annotated[float, Unit("N*m*s/rad")]
 RotationalDrag = Annotated[float, Unit("N*m*s^2/rad^2")]
-Inertia = Annotated[float, Unit("kg*m^2")]
 Moment = Annotated[float, Unit("N*m")]
 RotationalStiffness = Annotated[float, Unit("N*m/rad")]
 Modulus = Annotated[float, Unit("N/m^2")]

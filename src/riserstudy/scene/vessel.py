@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Annotated, Literal, Self
+from collections.abc import Iterator
+from typing import Annotated, Literal, Self
 
 from pydantic import model_validator
 
@@ -12,9 +13,6 @@ from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.analysis import Analysis
 from riserstudy.scene.base import ALONG_X, NOT_NEGATIVE, POSITIVE
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
 
 # most exchanges of platform and riser; each costs about 100 us, and its time steps
 MOST_TURNS = 1_000_000
@@ -110,8 +108,8 @@ class Yaw(Strict):
     Added inertia and hull drag are zero if not given.
     """
 
-    inertia: Annotated[u.Inertia, POSITIVE]
-    added_inertia: Annotated[u.Inertia, NOT_NEGATIVE] | None = None
+    inertia: Annotated[u.MomentOfInertia, POSITIVE]
+    added_inertia: Annotated[u.MomentOfInertia, NOT_NEGATIVE] | None = None
     hull_drag: Annotated[u.RotationalDrag, NOT_NEGATIVE] | None = None
 
 

@@ -8,12 +8,12 @@ weight of this water in ``submerged_weight`` and gives no contents.
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, NamedTuple
 
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.geometry import levels
+from riserstudy.scene.modules_and_lines import disc
 
 if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
@@ -154,8 +154,7 @@ def _dips(scene: Parts, k: int) -> bool:
 
 def _displaced(scene: Parts, k: int) -> float:
     """Mass of the water that a section displaces (kg/m)."""
-    outside = 0.25 * math.pi * (scene.riser[k].outer_diameter or 0.0) ** 2
-    return _water_around(scene, k) * outside
+    return _water_around(scene, k) * disc(scene.riser[k].outer_diameter or 0.0)
 
 
 def _water_around(scene: Parts, k: int) -> float:

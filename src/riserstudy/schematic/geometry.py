@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from riserstudy.model.initial_shape import sagging
 from riserstudy.model.sea import levels
-from riserstudy.scene.paths import within
+from riserstudy.scene.paths import meets
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
@@ -196,7 +196,7 @@ class Geometry:
 
 def _any_at(values: Iterable[str], path: str) -> bool:
     """Return whether any of the values' paths is the given path, below it or above it."""
-    return any(within(one, path) or within(path, one) for one in values)
+    return any(meets(one, path) for one in values)
 
 
 def labelled(scene: Resolved) -> Iterator[str]:

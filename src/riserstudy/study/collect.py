@@ -21,7 +21,7 @@ from riserstudy.errors import SimulationError
 from riserstudy.records.facts import point_columns
 from riserstudy.records.warning import OF_ESTIMATE
 from riserstudy.records.words import counted
-from riserstudy.scene.paths import as_name, within
+from riserstudy.scene.paths import as_name
 from riserstudy.simulation.curve import at_stations, between_nodes, curve_of
 from riserstudy.study import store
 from riserstudy.study.axes import Numbers, Samples
@@ -31,7 +31,7 @@ from riserstudy.study.limits import add_limits, largest_errors, limited
 from riserstudy.study.modes import add_modes
 from riserstudy.study.needed import with_envelopes
 from riserstudy.study.simulate_points import Count, fill, has_error_estimate, lacks
-from riserstudy.study.study import Study
+from riserstudy.study.study import Study, set_by_all
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -282,17 +282,12 @@ def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
         axes = [*study.axes]
         later = [study.axes[other] for other in axes[axes.index(name) + 1 :]]
         for path in samples[0]:
-            if path not in axis.readings and any(_replaces(steps, path) for steps in later):
+            if path not in axis.readings and any(set_by_all(steps, path) for steps in later):
                 continue
             values = [assumed[path] for assumed in samples]
             plain = [v if isinstance(v, int | float) else str(v) for v in values]
             label = "assumed_" + as_name(path)  # riser[0].mass: riser_0_mass
             dataset[label] = xr.DataArray(plain, dims=name, attrs={"long_name": path})
-
-
-def _replaces(steps: list[tuple[Any, dict[str, Any]]], path: str) -> bool:
-    """Whether every value of an axis sets a path, or a part of the scene that contains it."""
-    return all(any(within(path, own) for own in sets) for _, sets in steps)
 
 
 class Known(NamedTuple):

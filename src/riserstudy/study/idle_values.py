@@ -8,9 +8,9 @@ import numpy as np
 
 from riserstudy.dataset.variables import quantity_of
 from riserstudy.scene.origin import unwrap
-from riserstudy.scene.paths import within
+from riserstudy.scene.paths import within_any
 from riserstudy.scene.quantities import QUANTITIES
-from riserstudy.study.study import Study
+from riserstudy.study.study import Study, set_by_all
 from riserstudy.study.study_model import SETTINGS
 
 
@@ -40,10 +40,10 @@ def _replaced(study: Study) -> Iterator[str]:
     tolerance: without them, the base scene would have the tolerance of the tier.
     """
     for path, value in study.model.set.items():
-        if any(within(path, setting) for setting in SETTINGS) or unwrap(value)[1]:
+        if within_any(path, SETTINGS) or unwrap(value)[1]:
             continue
         for name, steps in study.axes.items():
-            if all(any(within(path, own) for own in sets) for _, sets in steps):
+            if set_by_all(steps, path):
                 yield f"{study.where}: set.{path}: every value of axis {name!r} replaces it; leave it out"
 
 

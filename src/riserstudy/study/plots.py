@@ -11,7 +11,7 @@ from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.limits import SIGNED
 from riserstudy.scene.quantities import QUANTITIES
 from riserstudy.scene.resolve import Resolved
-from riserstudy.study.axes import Samples
+from riserstudy.study.axes import Numbers, Samples
 from riserstudy.study.figures import FigureModel, Plot
 from riserstudy.study.limits import limited
 from riserstudy.study.study import Study
@@ -132,13 +132,11 @@ def _scenes(study: Study) -> Iterator[Resolved]:
     axes = study.model.axes
     if any(isinstance(axis, Samples) for axis in axes.values()):
         return
-    first = [0] * len(axes)
-    places = [first]
-    for number, name in enumerate(axes):
-        labels = len(study.axes[name]) if not hasattr(axes[name], "path") else 1
-        places += [[*first[:number], k, *first[number + 1 :]] for k in range(1, labels)]
+    labels = [
+        () if isinstance(axis, Numbers) else range(len(study.axes[name])) for name, axis in axes.items()
+    ]
     try:
-        scenes = [study.grid.file(tuple(place)).resolved() for place in places]
+        scenes = [study.grid.file(place).resolved() for place in study.grid.near_first(labels)]
     except InputError:  # planning reports the fault
         return
     yield from scenes

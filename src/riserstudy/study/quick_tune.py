@@ -69,11 +69,15 @@ class QuickTuner(Tuner):
             if work < least:
                 best, least = found, work
         if best is None:
-            raise SimulationError(
-                f"{self.study.where}: no mesh and time step takes less time than runs with the tolerance; "
-                "run the study with analysis.accuracy"
-            )
+            raise self.nothing_faster()
         return best
+
+    def nothing_faster(self) -> SimulationError:
+        """The error if no setting needs less work than runs with a tolerance."""
+        return SimulationError(
+            f"{self.study.where}: no mesh and time step takes less time than runs with the tolerance; "
+            "run the study with analysis.accuracy"
+        )
 
     def estimated(self, setting: Setting, index: Index) -> float:
         """Ratio of a point's largest estimated error to the tolerance (1); infinite if the run fails."""
@@ -124,10 +128,7 @@ def quick_tune(study: Study, seed: int, notify: Notify = lambda _: None) -> Tune
         errors = {}
     work = tuner.work(setting, [place]) if not left else math.inf
     if work >= place.work_of_request:
-        raise SimulationError(
-            f"{study.where}: no mesh and time step takes less time than runs with the tolerance; "
-            "run the study with analysis.accuracy"
-        )
+        raise tuner.nothing_faster()
     return Tuned(
         accuracy=tuner.words,
         setting=setting,

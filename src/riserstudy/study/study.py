@@ -17,14 +17,14 @@ from riserstudy.files.cache import remembered
 from riserstudy.files.digests import dependencies, digest, engine_digest
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import Origin, unwrap
-from riserstudy.scene.paths import as_name, last_name
+from riserstudy.scene.paths import as_name, last_name, meets, within_any
 from riserstudy.scene.replaced_values import set_later
 from riserstudy.scene.tables import names_of_tables, texts_of_tables
 from riserstudy.simulation.kernel_groups import group_of, group_of_modes
 from riserstudy.study.axes import MOST_VALUES, Labels, Numbers, Samples, Tier
 from riserstudy.study.grid import Grid, Index, Point
 from riserstudy.study.store import canonical, key_of
-from riserstudy.study.study_model import StudyModel, TuneAt, meets
+from riserstudy.study.study_model import StudyModel, TuneAt
 
 # number of points for tuning; number of points of a study below which one point is used
 TUNED_AT, FEW = 12, 1000
@@ -268,6 +268,11 @@ class Study:
             return [canonical(self.axes[name]), canonical(self.assumed(axis))]
         unit = axis.unit if isinstance(axis, Numbers) else ""
         return [unit, canonical([[value, _in_order(sets)] for value, sets in self.axes[name]])]
+
+
+def set_by_all(steps: list[tuple[Any, dict[str, Any]]], path: str) -> bool:
+    """Whether every value of an axis sets a path, or a part of the scene that contains it."""
+    return all(within_any(path, sets) for _, sets in steps)
 
 
 def _in_order(sets: dict[str, Any]) -> Any:

@@ -20,7 +20,7 @@ from riserstudy.dataset.variables import (
 )
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
-from riserstudy.scene.paths import within
+from riserstudy.scene.paths import meets, within, within_any
 from riserstudy.study.axes import Axis, AxisName, Numbers, Sets
 from riserstudy.study.seas_model import OUTSIDE
 
@@ -126,7 +126,7 @@ class StudyModel(Strict):
     def _only_coarser(self) -> None:
         """Refuse preview settings that change more than the analysis, or that an axis would replace."""
         for path in self.preview:
-            if not any(within(path, setting) for setting in SETTINGS):
+            if not within_any(path, SETTINGS):
                 allowed = "set only " + ", ".join(SETTINGS)
                 raise Misfit("preview", f"sets {path!r}, which is not a setting of the analysis", allowed)
             for name, axis in self.axes.items():
@@ -148,7 +148,7 @@ class StudyModel(Strict):
             put = [(label, path) for label, sets in labels for path in sets if sets[path] is not None]
             for label, path in put:
                 for own, there in before.items():
-                    if own == path or own.startswith((f"{path}.", f"{path}[")):
+                    if within(own, path):
                         found = f"sets {path!r}, where {there}"
                         allowed = f"put axis {name!r} first, or set the path in one of the two axes only"
                         raise Misfit(f"axes.{name}.{label}", found, allowed)
@@ -160,9 +160,3 @@ def _paths_of(axis: Axis) -> Iterable[str]:
     if isinstance(axis, Numbers):
         return axis.paths
     return {path for sets in axis.values() for path in sets} if isinstance(axis, dict) else ()
-
-
-def meets(one: str, other: str) -> bool:
-    """Whether two paths of a scene are equal, or one is below the other."""
-    short, long = sorted((one, other), key=len)
-    return long == short or long.startswith((f"{short}.", f"{short}["))
