@@ -12,14 +12,12 @@ of a user's own study may contain such a folder ``chapters``, too. Its parts:
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from riserstudy.files.chapters import chapter_modules, import_of_chapter
 from riserstudy.files.digests import defining
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
 
 
 def function_of(paper: str, part: str, name: str) -> Callable[..., Any]:

@@ -9,6 +9,7 @@ from riserstudy.export.deck import Deck
 from riserstudy.model.space_out import ring_at_mid_stroke
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
+from riserstudy.scene.units import GRAVITY
 
 
 class Exported(NamedTuple):
@@ -42,9 +43,9 @@ def write_deck(file: SceneFile) -> Exported:
     if scene.vessel:
         allowed = "replace vessel by platform, whose motion is prescribed"
         raise deck.refused("vessel", "a freely floating vessel cannot be exported to OrcaFlex", allowed)
-    if scene.gravity not in (None, pipes.GRAVITY):
+    if scene.gravity not in (None, GRAVITY):
         deck.otherwise["gravity"] = (
-            f"{scene.gravity:g} m/s^2 in the scene, {pipes.GRAVITY} m/s^2 in OrcaFlex: submerged weights "
+            f"{scene.gravity:g} m/s^2 in the scene, {GRAVITY} m/s^2 in OrcaFlex: submerged weights "
             "are kept, weights of contents and weights in air change with gravity"
         )
     deck.objects |= {"General": surroundings.stages(deck)}

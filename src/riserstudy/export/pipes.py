@@ -12,8 +12,8 @@ from typing import Any
 
 from riserstudy.export.deck import Deck
 from riserstudy.scene.riser import Section
+from riserstudy.scene.units import GRAVITY
 
-GRAVITY = 9.80665  # of a deck in SI (m/s2)
 SAME = 1e-6  # largest relative difference of numbers that count as equal
 FINE = 100  # segments along the riser, for a scene without a mesh
 STEEPER = 1e-3  # smallest weight that is reported (kN)

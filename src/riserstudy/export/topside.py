@@ -8,12 +8,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from riserstudy.export.deck import Deck
-from riserstudy.export.pipes import BENDING, ENDS, GRAVITY, stiffness
+from riserstudy.export.pipes import BENDING, ENDS, stiffness
 from riserstudy.model.tensioner_law import gas_force, linear_law, table_law
 from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.ends import Body, TelescopicJoint
 from riserstudy.scene.forcing import TILTS
 from riserstudy.scene.tensioners import Tensioners
+from riserstudy.scene.units import GRAVITY
 
 VESSEL, RING, SLIDE, BARREL = "Platform", "Tension ring", "Slide", "Inner barrel"
 UNEVEN = 1e-3  # relative difference of weight and mass that another gravity makes

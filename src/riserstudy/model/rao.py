@@ -22,8 +22,8 @@ from riserstudy.records.warning import RunWarning, Value, sentence, warning
 from riserstudy.scene.rao import TILTS, Operator, Response
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import Storm, Swell, Wave
+from riserstudy.scene.units import GRAVITY
 
-GRAVITY = 9.80665  # m/s2, for plausibility checks of a scene without gravity
 # largest plausible median ratio of angle to wave slope; degrees read as radians give about 57
 STEEP = 5.0
 TURNS = 4.0 * math.pi  # rad, largest plausible phase

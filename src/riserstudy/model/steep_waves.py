@@ -8,10 +8,10 @@ from riserstudy.model.sea import wave_number
 from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import Storm, Swell
+from riserstudy.scene.units import GRAVITY
 
 STEEPEST = 0.142  # height over length of the steepest wave in deep water
 DEEP = 20.0  # w^2 d / g from which tanh kd is 1
-GRAVITY = 9.80665  # m/s2, of a scene without gravity
 
 
 def breaking(scene: Resolved) -> list[RunWarning]:

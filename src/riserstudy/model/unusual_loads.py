@@ -9,12 +9,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from riserstudy.model.steep_waves import GRAVITY, highest, waves_of
+from riserstudy.model.steep_waves import highest, waves_of
 from riserstudy.records.warning import RunWarning, Value, warning
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS, Current, Harmonic, TimeSeries
 from riserstudy.scene.rao import SHIFTS
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import Storm, Swell, WindDrift
+from riserstudy.scene.units import GRAVITY
 
 FASTEST_CURRENT = 12.0  # m/s; the fastest tidal streams reach about 10
 SLOWEST_CURRENT = 5e-4  # m/s, in every part of a profile; a model at 1:50 of 0.01 m/s has 0.0014

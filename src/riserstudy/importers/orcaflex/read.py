@@ -28,8 +28,8 @@ from riserstudy.importers.orcaflex.vessel import platform_of
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.origin import unwrap
+from riserstudy.scene.units import GRAVITY
 
-GRAVITY = 9.80665  # in OrcaFlex's SI units (m/s2)
 #: lists of objects that are left out whole if none of their entries was read
 OBJECTS = (
     "VesselTypes", "LineTypes", "Vessels", "Lines", "6DBuoys", "3DBuoys", "Constraints", "Links",
