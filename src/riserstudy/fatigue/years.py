@@ -199,17 +199,14 @@ def _check_other_waves(study: xr.Dataset, occurs: Occurrence) -> None:
 
     The other wave would be equal in all seas. Raises InputError with the axis that changes one wave only.
     """
-    scene = first_scene(study)
-    response = scene.platform and scene.platform.response
-    waves = {"platform.response.wave": response and response.wave, "wave": scene.wave}
-    there = {path for path, wave in waves.items() if wave}
+    there = first_scene(study).waves.keys()
     for kind, keys in KEYS.items():
         by_axis = {
             axis: {path.rpartition(".")[0] for path in _paths(study, axis) if path.rpartition(".")[2] in keys}
             for axis in occurs.values
         }
         axes = [axis for axis, waves_of in by_axis.items() if waves_of & there]
-        if axes and (left := there.difference(*by_axis.values())):
+        if axes and (left := set(there).difference(*by_axis.values())):
             found = f"the {kind} of {min(left)} in the scene is equal in all sea states"
             allowed = "give a study in which this axis sets both waves, or remove one wave from the scene"
             raise InputError("sea states", axes[0], found, allowed)
@@ -283,9 +280,7 @@ def gamma_of(study: xr.Dataset, at: Mapping[str, str] | None = None) -> float | 
     ``at``: values by axis, as in `over_years`; those of other axes are the first ones.
     """
     index = {axis: value_of(study, axis, value) for axis, value in (at or {}).items() if axis in study.dims}
-    scene = first_scene(study.isel(index))
-    response = scene.platform and scene.platform.response
-    for sea in (response and response.wave, scene.wave):
+    for sea in first_scene(study.isel(index)).waves.values():
         if found := getattr(sea, "peak_enhancement", None):
             return float(found)
     return None

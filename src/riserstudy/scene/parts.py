@@ -113,7 +113,7 @@ class Parts(Strict):
         """Shortest period of platform motions and waves (s); None without them."""
         motions = self.platform.harmonics if self.platform else []
         periods = [motion.period for _, motion in motions]
-        return min([*periods, *(wave.shortest_period for wave in self._waves)], default=None)
+        return min([*periods, *(wave.shortest_period for wave in self.waves.values())], default=None)
 
     @property
     def shortest_regular_period(self) -> float | None:
@@ -125,13 +125,14 @@ class Parts(Strict):
         """Periods of harmonic motions and regular waves (s)."""
         motions = self.platform.harmonics if self.platform else []
         periods = [motion.period for _, motion in motions if motion.amplitude]
-        return periods + [wave.period for wave in self._waves if isinstance(wave, Swell)]
+        return periods + [wave.period for wave in self.waves.values() if isinstance(wave, Swell)]
 
     @property
-    def _waves(self) -> list[Swell | Storm]:
-        """Waves of the scene, and of the response of its platform."""
+    def waves(self) -> dict[str, Swell | Storm]:
+        """Waves of the response of its platform, and on the riser, by path."""
         response = self.platform and self.platform.response
-        return [wave for wave in (self.wave, response and response.wave) if wave]
+        there = {"platform.response.wave": response and response.wave, "wave": self.wave}
+        return {path: wave for path, wave in there.items() if wave}
 
     @property
     def jolts(self) -> list[float]:

@@ -39,9 +39,8 @@ def piece_length(scene: Resolved) -> float:
 def is_long(scene: Resolved) -> bool:
     """Whether a scene is a long record of an irregular sea, without events and without a vessel."""
     a = scene.analysis
-    response = scene.platform and scene.platform.response
-    seas = scene.wave, response and response.wave
-    if a.duration is None or a.output is None or not any(isinstance(sea, Storm) for sea in seas):
+    irregular = any(isinstance(wave, Storm) for wave in scene.waves.values())
+    if a.duration is None or a.output is None or not irregular:
         return False
     if scene.vessel or scene.events or scene.top.tension_loss or massless(scene) or a.solver:
         return False

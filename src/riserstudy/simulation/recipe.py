@@ -98,6 +98,5 @@ def _with(scene: Resolved, elements: int, layers: Layers | None, step: float) ->
 
 
 def _long(scene: Resolved) -> bool:
-    response = scene.platform and scene.platform.response
-    irregular = isinstance(scene.wave, Storm) or (response and isinstance(response.wave, Storm))
-    return bool(irregular) and (scene.analysis.duration or 0.0) > LONG_RECORD
+    irregular = any(isinstance(wave, Storm) for wave in scene.waves.values())
+    return irregular and (scene.analysis.duration or 0.0) > LONG_RECORD

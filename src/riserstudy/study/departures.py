@@ -55,11 +55,11 @@ def refuse_unchanged(source: str, scene: Resolved) -> None:
     They would be equal in all seas, and the highest sea would load the riser as the lowest one does. Raises
     InputError when the scene has one of them.
     """
-    response = scene.platform and scene.platform.response
-    for path, wave in (("platform.response.wave", response and response.wave), ("wave", scene.wave)):
-        if wave and not isinstance(wave, Storm):
+    for path, wave in scene.waves.items():
+        if not isinstance(wave, Storm):
             found = "this regular wave would be equal in all sea states"
             raise InputError(source, path, found, "remove it, or replace it by an irregular sea")
+    response = scene.platform and scene.platform.response
     if not response and (names := prescribed_motions(scene)):
         found = "the platform would move equally in all sea states"
         remedy = "replace it by `platform.response`, with which the platform follows the sea"

@@ -47,8 +47,7 @@ def phases_of(file: SceneFile, seed: int) -> dict[str, Any]:
 
 def one_sea(scene: Resolved) -> str:
     """A statement that a run has one of many possible irregular seas; empty without such a sea."""
-    response = scene.platform and scene.platform.response
-    seas = [sea for sea in (response and response.wave, scene.wave) if isinstance(sea, Storm)]
+    seas = [wave for wave in scene.waves.values() if isinstance(wave, Storm)]
     if scene.analysis.duration is None or not seas:
         return ""
     seeds = " and ".join(str(seed) for seed in dict.fromkeys(sea.seed for sea in seas))
@@ -99,9 +98,7 @@ def _paths(file: SceneFile) -> list[str]:
 def _seas(file: SceneFile) -> dict[str, Storm]:
     """Irregular seas of a scene, by path. Raises InputError when there is none, or the scene is static."""
     scene = file.resolved()
-    response = scene.platform and scene.platform.response
-    there = {"platform.response.wave": response and response.wave, "wave": scene.wave}
-    seas = {path: sea for path, sea in there.items() if isinstance(sea, Storm)}
+    seas = {path: wave for path, wave in scene.waves.items() if isinstance(wave, Storm)}
     if not seas:
         allowed = "give `platform.response.wave` or `wave` with significant_height and peak_period"
         raise InputError(file.source, "wave", "the scene has no irregular sea", allowed)
