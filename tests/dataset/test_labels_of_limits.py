@@ -2,12 +2,13 @@
 
 import random
 
+import numpy as np
 import pytest
 import xarray as xr
 from random_rigs import moving, written
 
 from riserstudy import sweep
-from riserstudy.dataset.limits import label, labels, mode_and_limit
+from riserstudy.dataset.limits import coordinates, label, labels
 from riserstudy.scene.load import SceneFile
 
 ANGLES = ("lfj_angle", "ufj_angle", "von_mises_stress", "effective_tension")
@@ -38,8 +39,11 @@ def test_labels_differ_and_begin_with_the_words_of_the_limit(seed):
     assert all(name.startswith(label(one)) for name, one in zip(names, found, strict=True))
     alone = [one for one in found if [label(other) for other in found].count(label(one)) == 1]
     assert all(label(one) in names for one in alone)
-    assert [mode_and_limit(name)[0] for name in names] == [one.mode for one in found]
-    assert [": ".join(mode_and_limit(name)) for name in names] == names
+    array = xr.DataArray(np.zeros(len(found)), dims="limit", coords=coordinates(found))
+    assert array["mode_of_limit"].values.tolist() == [one.mode for one in found]
+    parts = zip(*(array[f"{part}_of_limit"].values for part in ("mode", "side", "output")), strict=True)
+    assert [f"{mode}: {side} {output}" for mode, side, output in parts] == names
+    assert array["limit"].values.tolist() == names
 
 
 @pytest.mark.parametrize("seed", range(2))

@@ -93,10 +93,18 @@ def test_envelopes_of_a_study_are_those_of_each_of_its_points(seed):
     """Modes together, a further dimension, and limits that are met nowhere."""
     draw = np.random.default_rng(seed)
     modes = [str(mode) for mode in draw.choice(["drilling", "connected"], 5)]
-    names = [f"{mode}: limit {k}: at the top" for k, mode in enumerate(modes)]
+    names = [f"{mode}: largest x at {k}: the top" for k, mode in enumerate(modes)]
     of = np.array([[[*drawn(draw)[:2]] for _ in names] for _ in CURRENTS])
     limits = xr.DataArray(
-        of, dims=("current", "limit", "offset_side"), coords={"limit": names, "offset_side": ["low", "high"]}
+        of,
+        dims=("current", "limit", "offset_side"),
+        coords={
+            "limit": names,
+            "mode_of_limit": ("limit", modes),
+            "side_of_limit": ("limit", ["largest"] * len(modes)),
+            "output_of_limit": ("limit", [f"x at {k}: the top" for k in range(len(modes))]),
+            "offset_side": ["low", "high"],
+        },
     )
     found = envelopes(limits)
     for mode in dict.fromkeys(modes):
@@ -110,4 +118,4 @@ def test_envelopes_of_a_study_are_those_of_each_of_its_points(seed):
                 assert value == (end if met else pytest.approx(math.nan, nan_ok=True))
                 k = mine[int(np.argmax(of[c, mine, 0]) if side == "low" else np.argmin(of[c, mine, 1]))]
                 name = str(here["governing_limit_name"].sel(offset_side=side).item())
-                assert name == (f"limit {k}: at the top" if met and math.isfinite(end) else "none")
+                assert name == (f"largest x at {k}: the top" if met and math.isfinite(end) else "none")

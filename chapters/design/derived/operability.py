@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.dataset.describe import described, scenes_of
-from riserstudy.dataset.limits import label
+from riserstudy.dataset.limits import PARTS, coordinates
 from riserstudy.design.envelopes import SIDES, envelopes
 from riserstudy.scene.limits import UNITS
 from riserstudy.scene.units import to_si
@@ -25,19 +25,19 @@ def operability(rests: xr.Dataset, reach: str, allowances: dict[str, str]) -> xr
     """
     from riserstudy.design.operability import offsets  # loads kernels
 
-    found, labels = [], []
+    found, over_limits = [], {}
     for _, scene in scenes_of(rests):
-        labels = [label(limit) for limit in scene.limits or []]
+        over_limits = coordinates(scene.limits or [])
         found.append([each[:2] for each in offsets(scene, to_si(reach, "m"), allowed(allowances))])
     over = [str(dim) for dim in rests["point_key"].dims]
-    values = np.array(found).reshape(*rests["point_key"].shape, len(labels), len(SIDES))
+    values = np.array(found).reshape(*rests["point_key"].shape, len(over_limits["limit"]), len(SIDES))
     coords = {dim: rests[dim] for dim in over}
     limits = xr.DataArray(
         values,
         dims=(*over, "limit", "offset_side"),
-        coords=coords | {"limit": labels, "offset_side": list(SIDES)},
+        coords=coords | over_limits | {"offset_side": list(SIDES)},
     )
-    made = xr.Dataset({"offset_of_limit": limits}).merge(envelopes(limits))
+    made = xr.Dataset({"offset_of_limit": limits}).merge(envelopes(limits)).reset_coords(PARTS)
     made.attrs["reach"] = to_si(reach, "m")
     kept = dict(made.attrs)
     return described(made, PAPER, "offsets at which limits are reached").assign_attrs(kept)

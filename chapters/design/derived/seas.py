@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.dataset.describe import described, scenes_of
-from riserstudy.dataset.limits import label
+from riserstudy.dataset.limits import coordinates
 from riserstudy.dataset.statistics import gumbel
 from riserstudy.design.envelopes import SIDES, envelopes
 from riserstudy.scene.units import to_si
@@ -49,10 +49,10 @@ def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.D
     added = {name: _fractile(each) for name, each in _added(seas, places).items()}
     heights = seas["significant_height"]
     far = to_si(reach, "m")
-    found, labels = [], []
+    found, over_limits = [], {}
     for place, scene in scenes_of(rests):
         limits = [limit for limit in scene.limits or [] if limit.mode == MODE]
-        labels = [label(limit) for limit in limits]
+        over_limits = coordinates(limits)
         at = AtRest(scene, far)  # common to all seas
         for height in heights.values:
             own = {
@@ -61,12 +61,12 @@ def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.D
             }
             found.append([one[:2] for one in offsets_at(at, limits, far, own)])
     over = [str(dim) for dim in rests["point_key"].dims]
-    shape = (*rests["point_key"].shape, len(heights), len(labels), len(SIDES))
+    shape = (*rests["point_key"].shape, len(heights), len(over_limits["limit"]), len(SIDES))
     coords = {dim: rests[dim] for dim in over} | {"significant_height": heights}
     limits_of = xr.DataArray(
         np.array(found).reshape(shape),
         dims=(*over, "significant_height", "limit", "offset_side"),
-        coords=coords | {"limit": labels, "offset_side": list(SIDES)},
+        coords=coords | over_limits | {"offset_side": list(SIDES)},
     )
     made = xr.Dataset({"offset_of_limit": limits_of}).merge(envelopes(limits_of))
     made = described(made, PAPER, "offsets at which limits are reached, for several seas")

@@ -10,7 +10,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from riserstudy.dataset.limits import mode_and_limit
+from riserstudy.dataset.limits import PARTS
+from riserstudy.design.envelopes import words_of
 from riserstudy.figures.direct import label_ends
 from riserstudy.figures.names import in_words
 from riserstudy.figures.style import COLOURS, GREY, headline, key_below, panel_title, panels, shades
@@ -48,16 +49,18 @@ def _chart(operability: xr.Dataset, mode: str) -> Figure:
     """Draw the limits of a mode over current, one panel per mud density; limits that govern are strong."""
     muds = operability["mud_weight"].values
     figure, axes = panels(1, len(muds), 4.2, sharey=True)
-    mine = [name for name in operability["limit"].values if mode_and_limit(str(name))[0] == mode]
-    mine.sort(key=lambda name: _place(str(name)))
+    of_mode = operability.isel(limit=operability["mode_of_limit"].values == mode)
+    mine = sorted(
+        zip(words_of(of_mode), *(of_mode[name].values for name in ("limit", *PARTS[1:])), strict=True),
+        key=lambda one: [*OF_LIMIT, one[0]].index(one[0]),  # limits of one joint are neighbours in the key
+    )
     limits = operability["offset_of_limit"]
     envelopes = operability["envelope_offset"].sel(operation=mode)
     strong: dict[str, list[Line2D]] = {}  # in the last panel
     for ax, mud in zip(axes, muds, strict=True):
-        for name in mine:
+        for limit, name, side, output in mine:
             if not np.isfinite(limits.sel(limit=name)).any():
                 continue
-            _, limit = mode_and_limit(str(name))
             governs = bool((limits.sel(limit=name) == envelopes).any())
             lines = _line(
                 ax,
@@ -67,7 +70,7 @@ def _chart(operability: xr.Dataset, mode: str) -> Figure:
                 governs,
             )
             if governs and mud == muds[-1]:
-                strong[_in_words(limit)] = lines
+                strong[_in_words(output if side == "largest" else limit)] = lines
         _shade(ax, envelopes.sel(mud_weight=mud), operability.attrs["reach"])
         ax.axhline(0.0, color="black", linewidth=0.6)
         ax.set_xlabel("surface current speed (m/s)")
@@ -78,7 +81,7 @@ def _chart(operability: xr.Dataset, mode: str) -> Figure:
     left, right = axes[0].get_xlim()
     ends = [(line, name) for name, lines in strong.items() for line in lines if _drawn_to_end(line)]
     if ends:
-        names = [name.removeprefix("largest ").replace(" joint ", "\njoint ") for _, name in ends]
+        names = [name.replace(" joint ", "\njoint ") for _, name in ends]
         label_ends(axes[-1], [line for line, _ in ends], names=names)
     for ax in axes:
         ax.set_xlim(left, right)
@@ -88,12 +91,6 @@ def _chart(operability: xr.Dataset, mode: str) -> Figure:
 def _in_words(limit: str) -> str:
     """A limit in words, as in the key."""
     return in_words(limit).replace("joint stroke", "telescopic joint stroke")
-
-
-def _place(name: str) -> int:
-    """Place of a limit in the key: limits of one joint are neighbours; unknown ones are last."""
-    _, limit = mode_and_limit(name)
-    return [*OF_LIMIT, limit].index(limit)
 
 
 def _line(ax: Axes, offset: xr.DataArray, colour: str, name: str, governs: bool) -> list[Line2D]:

@@ -35,6 +35,8 @@ FACTS = ("extremes", "error_estimate", "sampling_error", "vibration_since", *SCA
 LEAST_LEFT = 0.1
 # largest error on a prescribed mesh, as a share, with which the place or time of reaching a limit is known
 SURE = 0.05
+#: variables over ``limit`` with the parts of each label; the last one includes the place
+PARTS = ("mode_of_limit", "side_of_limit", "output_of_limit")
 WITHIN, EXCEEDED, UNKNOWN = "within", "exceeded", "not evaluated"
 
 
@@ -294,15 +296,19 @@ def limit_in_words(mode: str, side: str, output: str, place: str) -> str:
     return f"{mode}: {side} {output}{f' at {place}' if place else ''}"
 
 
-def mode_and_limit(text: str) -> tuple[str, str]:
-    """The mode of a limit and its other words, from its ``label``; no mode contains a colon."""
-    mode, _, words = text.partition(": ")
-    return mode, words
-
-
 def labels(limits: Sequence[Checked | Limit]) -> list[str]:
     """Limits in words, which differ."""
     return numbered([label(one) for one in limits])
+
+
+def coordinates(limits: Sequence[Limit]) -> dict[str, Any]:
+    """Coordinates of arrays over ``limit``: labels, which differ, and their parts."""
+    names = labels(limits)
+    modes, sides = [one.mode for one in limits], [one.side for one in limits]
+    begins = [f"{mode}: {side} " for mode, side in zip(modes, sides, strict=True)]
+    outputs = [name.removeprefix(begin) for name, begin in zip(names, begins, strict=True)]
+    parts = zip(PARTS, (modes, sides, outputs), strict=True)
+    return {"limit": names} | {name: ("limit", values) for name, values in parts}
 
 
 def numbered(names: Sequence[str]) -> list[str]:

@@ -11,10 +11,10 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from riserstudy.dataset.limits import labels, mode_and_limit
+from riserstudy.dataset.limits import coordinates
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.design.allowances_by_offset import ByOffset, ends_of, with_ends
-from riserstudy.design.envelopes import SIDES, envelopes
+from riserstudy.design.envelopes import SIDES, envelopes, words_of
 from riserstudy.design.operability import AtRest, Offsets, at_offset, moved, offset_of, offsets_at
 from riserstudy.design.sea_allowances import Allowance, allowances
 from riserstudy.errors import InputError, SimulationError
@@ -68,7 +68,7 @@ def envelope(
     limits = scene.limits or []
     moved(scene, 0.0)  # refuses a scene without an offset that can be changed
     with_speeds = [with_current(scene, speed) for speed in currents]
-    names_of_limits = labels(limits)
+    over_limits = coordinates(limits)
     found = np.full((max(len(seas), 1), len(currents), len(limits), len(SIDES)), math.nan)
     lost = np.zeros(found.shape[:-1], bool)
     also = np.full(found.shape[:-1], math.nan)
@@ -82,12 +82,12 @@ def envelope(
                 found[n, c, k], also[n, c, k] = one[:2], one.also
                 if one.missing:
                     lost[n, c, k] = True
-                    missing.setdefault(names_of_limits[k], one.missing)
+                    missing.setdefault(over_limits["limit"][k], one.missing)
     names = [f"{sea.height:g} m, {sea.period:g} s" for sea in seas] or [CALM]
     array = xr.DataArray(
         found,
         dims=("sea", "current", "limit", "offset_side"),
-        coords={"limit": names_of_limits, "offset_side": list(SIDES)},
+        coords=over_limits | {"offset_side": list(SIDES)},
     )
     of_seas = [array.isel(sea=n) for n in range(len(names))]
     rows = [
@@ -182,8 +182,8 @@ def _ends(limits: xr.DataArray, mode: str, lost: NDArray[np.bool_], also: NDArra
     lost : (limits,) true for limits that could not be evaluated.
     also : (limits,) offset (m) outside of its range at which a limit is met, too; NaN: none.
     """
-    modes, words = zip(*(mode_and_limit(str(name)) for name in limits["limit"].values), strict=True)
-    of = [k for k, of_mode in enumerate(modes) if of_mode == mode]
+    words = words_of(limits)
+    of = np.flatnonzero(limits["mode_of_limit"].values == mode).tolist()
     without = [words[k] for k in of if lost[k]]
     limits = limits.isel(limit=[k for k in of if not lost[k]])
     notes = [f"not evaluated: {', '.join(without)}"] if without else []

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import xarray as xr
 
-from riserstudy.dataset.limits import mode_and_limit
+from riserstudy.dataset.limits import PARTS
 
 SIDES = ("low", "high")
 NONE = "none"
@@ -14,12 +14,12 @@ NONE = "none"
 def envelopes(limits: xr.DataArray) -> xr.Dataset:
     """Offsets between which all limits of a mode are met, and the limit that governs each side.
 
-    NaN if they are met at no offset.
+    NaN if they are met at no offset. ``limits``: offsets over ``limit``, with its `coordinates`.
     """
-    modes = [mode_and_limit(str(name))[0] for name in limits["limit"].values]
+    modes = limits["mode_of_limit"].values
     parts = []
-    for mode in dict.fromkeys(modes):
-        of = limits.isel(limit=[k for k, name in enumerate(modes) if name == mode])
+    for mode in dict.fromkeys(modes.tolist()):
+        of = limits.isel(limit=modes == mode)
         low, high = of.sel(offset_side="low"), of.sel(offset_side="high")
         ends = {"low": low.max("limit", skipna=False), "high": high.min("limit", skipna=False)}
         open_here = ends["low"] <= ends["high"]
@@ -38,5 +38,11 @@ def envelopes(limits: xr.DataArray) -> xr.Dataset:
 
 
 def _named(which: xr.DataArray, of: xr.DataArray) -> xr.DataArray:
-    names = [mode_and_limit(str(name))[1] for name in of["limit"].values]
-    return which.copy(data=np.array(names, object)[which.values]).drop_vars("offset_side")
+    names = np.array(words_of(of), object)
+    return which.copy(data=names[which.values]).drop_vars("offset_side")
+
+
+def words_of(limits: xr.DataArray | xr.Dataset) -> list[str]:
+    """Side and output of each limit, without its mode."""
+    parts = (limits[name].values for name in PARTS[1:])
+    return [f"{side} {output}" for side, output in zip(*parts, strict=True)]

@@ -15,9 +15,10 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-FloatArray = NDArray[np.float64]
+from riserstudy.records.arrays import FloatArray
+
 # range of the shape for seas and responses
 SHAPES = (-0.5, 0.5)
 TRIED = 11  # number of shapes between which the shape of a drawn sample is interpolated

@@ -65,7 +65,9 @@ def drawn_of_years(
     return float(mode + scale * at), mode + scale * (at - modes) / scales
 
 
-def of_peaks(peaks: FloatArray, threshold: float, recorded: float, years: float) -> ReturnValue:
+def of_peaks(
+    peaks: FloatArray, threshold: float, recorded: float, years: float, seed: int = 0
+) -> ReturnValue:
     """Return value from peaks over a threshold, (n,), in a recorded time (years).
 
     References
@@ -73,7 +75,8 @@ def of_peaks(peaks: FloatArray, threshold: float, recorded: float, years: float)
     Davison and Smith 1990, J. R. Stat. Soc. B 52; fitted by L-moments, Hosking and Wallis 1987,
     Technometrics 29.
     """
-    value, drawn = drawn_of_peaks(peaks, threshold, recorded, years, np.random.default_rng(0), DRAWS)
+    draw = np.random.default_rng(seed)
+    value, drawn = drawn_of_peaks(peaks, threshold, recorded, years, draw, DRAWS)
     return ReturnValue(value, *_band(drawn))
 
 

@@ -8,9 +8,18 @@ from chapters.design.derived.seas import _added, allowances
 from chapters.design.figures.operability import operability_drilling
 from chapters.design.figures.recoil import recoil_failures
 from chapters.design.figures.tension import heaviest
+from riserstudy.dataset.limits import coordinates
 from riserstudy.design.envelopes import envelopes
+from riserstudy.scene.limits import Limit
 
-LIMITS = ["drilling: mean lfj_angle", "drilling: largest joint_stroke", "connected: largest joint_stroke"]
+LIMITS = [
+    Limit(output=output, mode=mode, **{side: value})
+    for output, mode, side, value in (
+        ("lfj_angle", "drilling", "mean", "2 deg"),
+        ("joint_stroke", "drilling", "largest", "3 m"),
+        ("joint_stroke", "connected", "largest", "5 m"),
+    )
+]
 
 
 def offsets(values):
@@ -21,8 +30,8 @@ def offsets(values):
         coords={
             "mud_weight": [1440.0],
             "surface_speed": [0.0, 1.0],
-            "limit": LIMITS,
             "offset_side": ["low", "high"],
+            **coordinates(LIMITS),
         },
     )
 

@@ -157,7 +157,6 @@ def test_each_sea_narrows_the_offsets_by_its_own_addition(monkeypatch):
     limit = SimpleNamespace(mode="drilling", output="lfj_angle", at=None, place="", side="largest")
     scene = SimpleNamespace(limits=[limit], riser=[SimpleNamespace(name="riser", total_length=2.0)])
     monkeypatch.setattr(seas, "scenes_of", lambda _: iter([({}, scene)]))
-    monkeypatch.setattr(seas, "label", lambda limit: f"{limit.mode}: largest {limit.output}")
     monkeypatch.setattr(operability, "AtRest", lambda scene, reach: reach)
 
     def offsets_at(at, limits, reach, added):

@@ -13,8 +13,10 @@ from chapters.design.figures.sensitivity import sensitivity
 from chapters.design.figures.tension import minimum_tension, tension_window
 from chapters.design.figures.watch_circles import watch_circles
 from chapters.design.figures.wellhead import wellhead_fatigue
+from riserstudy.dataset.limits import coordinates
 from riserstudy.design.watch_circles import TOO_LATE
 from riserstudy.figures.figure_text import headline
+from riserstudy.scene.limits import Limit
 
 
 def extents(figure, texts):
@@ -210,13 +212,13 @@ def test_the_narrowing_by_seas_is_told_for_all_muds_and_currents(half, title):
 
 def test_a_limit_has_one_colour_in_all_modes():
     limits = [
-        f"{mode}: {limit}"
+        Limit(output=output, mode=mode, **{side: "3 m" if output == "joint_stroke" else "2 deg"})
         for mode, of in (
             ("drilling", ("mean lfj_angle", "largest lfj_angle", "largest joint_stroke")),
             ("connected", ("largest lfj_angle", "largest joint_stroke")),
             ("disconnect", ("largest joint_stroke", "largest lfj_angle")),
         )
-        for limit in of
+        for side, output in map(str.split, of)
     ]
     modes = ["drilling", "connected", "disconnect"]
     ends = np.array([-50.0, 50.0])
@@ -232,9 +234,9 @@ def test_a_limit_has_one_colour_in_all_modes():
         {
             "surface_speed": [0.0, 1.0],
             "mud_weight": [1440.0],
-            "limit": limits,
             "operation": modes,
             "offset_side": ["low", "high"],
+            **coordinates(limits),
         },
         {"reach": 240.0},
     )
