@@ -16,9 +16,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from riserstudy.records.arrays import FloatArray
+
 GROUPS = 200  # number of groups of sea states with similar heights, whose mean and variance are sufficient
 #: bounds of a, b, c, d, e and f
 BOUNDS = ((0.0, None), (0.0, None), (0.05, 3.0), (1e-3, None), (0.0, None), (-3.0, 1.0))

@@ -7,9 +7,9 @@ through the magnitudes at the steps can miss by a large amount. Its components a
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from riserstudy.records.arrays import FloatArray
+
 MOST = 200  # number of the smallest minima at steps that are searched between steps
 PLACES = np.linspace(-1.0, 1.0, 129)  # searched times about a step, as shares of the interval to that side
 
