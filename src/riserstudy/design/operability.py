@@ -74,7 +74,9 @@ def offsets(scene: Resolved, reach: float, allowances: Mapping[str, Added]) -> l
     except SimulationError as failure:
         missing = f"a static equilibrium ({failure})"
         return [Offsets(math.nan, math.nan, missing) for _ in limits]
-    return offsets_at(at, limits, reach, allowances)
+    # by outputs, allowances are those of extremes
+    each = [{} if limit.side == "mean" else allowances for limit in limits]
+    return [_between(at, limit, reach, one) for limit, one in zip(limits, each, strict=True)]
 
 
 def offsets_at(
@@ -244,9 +246,7 @@ def excess(at: AtRest, limit: Limit, allowance: Allowed, offset: float) -> float
 
 
 def _excess_of(scene: Resolved, limit: Limit, demand: float, allowance: float) -> float:
-    """Excess of a demand at rest, with an allowance except for means; all in one unit."""
-    if limit.side == "mean":
-        return demand - limit.allowable
+    """Excess of a demand at rest, with an allowance; all in one unit."""
     if limit.side == "smallest":
         return limit.allowable + allowance + not_in_demand(scene, limit) - demand
     return demand + allowance - limit.allowable

@@ -19,7 +19,7 @@ from riserstudy.scene.at_rest import static
 from riserstudy.scene.limits import ALONG, SIGNED, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
-from riserstudy.simulation.extremes import places
+from riserstudy.simulation.extremes import mean_of, places
 from riserstudy.simulation.outputs import rotations_at_rest
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.rest import Rest
@@ -53,10 +53,11 @@ def allowances(
     """The addition of a sea to the demand of each limit, which nine seas in ten do not exceed.
 
     Each section has an addition of its own, the largest of its nodes, since other sections and nodes govern
-    at other offsets. Runs have the offset of the scene. Extremes of the seeds follow a Gumbel distribution.
-    Limits on means have no allowance. On a prescribed mesh and step that are too coarse for an output, its
-    allowance is not known. Raises InputError when the scene has no irregular sea, or the riser leaves its
-    offset. Raises SimulationError when a run cannot be completed.
+    at other offsets. Runs have the offset of the scene. Extremes of the seeds follow a Gumbel
+    distribution. The allowance of a limit on a mean is the change of the mean by the sea, on average over
+    the seeds. On a prescribed mesh and step that are too coarse for an output, its allowance is not
+    known. Raises InputError when the scene has no irregular sea, or the riser leaves its offset. Raises
+    SimulationError when a run cannot be completed.
 
     Parameters
     ----------
@@ -94,6 +95,7 @@ class Run(NamedTuple):
     # largest magnitudes of the changes of shear and, in space, of vectors from rest, by output: one value, or
     # (n + 1,)
     swings: Mapping[str, FloatArray]
+    shifts: Mapping[str, float]  # in space, magnitudes of the changes of mean rotations from rest, by output
 
 
 def _run(scene: Resolved, there: Resolved) -> Run:
@@ -104,7 +106,9 @@ def _run(scene: Resolved, there: Resolved) -> Run:
     mesh, still = mesh_of(scene, moving.arrays["l0"]), static(scene)
     rest = Rest(still, mesh)
     found = finish(still, mesh, march(still, mesh, None, rest=rest))
-    return Run(mesh, moving, found, _swings(still, mesh, moving, rest))
+    return Run(
+        mesh, moving, found, _swings(still, mesh, moving, rest), _shifts(there, still, mesh, moving, rest)
+    )
 
 
 def _often(there: Resolved) -> Resolved:
@@ -145,12 +149,23 @@ def _swings(scene: Resolved, mesh: Mesh, moving: Result, rest: Rest) -> dict[str
     return found
 
 
+def _shifts(there: Resolved, scene: Resolved, mesh: Mesh, moving: Result, rest: Rest) -> dict[str, float]:
+    """Magnitudes of the changes of mean rotations in space from rest (rad), by output; ``scene``: at rest."""
+    still = rotations_at_rest(scene, rest.model, mesh)
+    means = {name: mean_of(there, name, moving.arrays, moving.seen) for name in moving.seen.rotations}
+    return {
+        name: float(np.linalg.norm(mean - still[name])) for name, mean in means.items() if mean is not None
+    }
+
+
 def _of_limit(scene: Resolved, limit: Limit, runs: Sequence[Run], longer: float) -> Allowance:
     """The allowance of a limit, from the runs in the sea; ``longer``: duration of a sea, in runs."""
     if limit.side == "mean":
-        return Allowance(0.0)
-    each = [_added(scene, limit, one) for one in runs]
-    places = {where: allowance(np.array([one[where] for one in each]), longer) for where in each[0]}
+        each = [_shifted(scene, limit, one) for one in runs]
+        places = {where: float(np.mean([one.get(where, math.nan) for one in each])) for where in each[0]}
+    else:
+        each = [_added(scene, limit, one) for one in runs]
+        places = {where: allowance(np.array([one[where] for one in each]), longer) for where in each[0]}
     value = max(places.values(), default=math.nan)
     if math.isnan(value):
         return Allowance(value, f"{limit.output} in the runs of the sea")
@@ -171,6 +186,21 @@ def allowance(added: FloatArray, longer: float = 1.0) -> float:
     if np.isnan(added).any():
         return math.nan
     return max(gumbel(added, longer).fractile, 0.0)
+
+
+def _shifted(scene: Resolved, limit: Limit, of: Run) -> dict[str, float]:
+    """By place, the change of the mean of an output from its value at rest; empty if it is not known.
+
+    Waves change mean drag, and with it means. The change counts to both sides, since the value at rest may
+    have the other sign at other offsets.
+    """
+    at_rest = {row["where"]: row for row in rows_of(scene, limit, of.rest.facts["extremes"])}
+    found = {}
+    for row in rows_of(scene, limit, of.moving.facts["extremes"]):
+        if "mean" in row and "mean" in at_rest.get(row["where"], {}):
+            change = abs(row["mean"] - at_rest[row["where"]]["mean"])
+            found[row["where"]] = of.shifts.get(limit.output, change)
+    return found
 
 
 def _added(scene: Resolved, limit: Limit, of: Run) -> dict[str, float]:

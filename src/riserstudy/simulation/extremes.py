@@ -159,15 +159,23 @@ def _over_time(name: str, arrays: Arrays) -> dict[str, Any] | None:
 
 def _mean_over_time(scene: Resolved, name: str, arrays: Arrays, of: Seen) -> dict[str, float]:
     """The mean of an output over all steps, if known, the largest of all cylinders; empty at rest."""
-    by_steps = name in of.steps
-    held = until_release(scene, name, of.steps if by_steps else arrays)
-    if name not in held or "time" not in held or not len(held["time"]):
-        return {}
-    values = of.rotations.get(name, held[name])[: len(held["time"])]
-    mean = _time_mean(scene, name, held["time"], values, by_steps)
+    mean = mean_of(scene, name, arrays, of)
     if mean is None:
         return {}
     return {"mean": float(np.linalg.norm(mean) if name in of.rotations else mean.max())}
+
+
+def mean_of(scene: Resolved, name: str, arrays: Arrays, of: Seen) -> FloatArray | None:
+    """The mean of an output over time, in its unit; of cylinders (k,), of a rotation in space (3,).
+
+    None if it is not known.
+    """
+    by_steps = name in of.steps
+    held = until_release(scene, name, of.steps if by_steps else arrays)
+    if name not in held or "time" not in held or not len(held["time"]):
+        return None
+    values = of.rotations.get(name, held[name])[: len(held["time"])]
+    return _time_mean(scene, name, held["time"], values, by_steps)
 
 
 def _time_mean(
