@@ -4,6 +4,7 @@
 # the executor takes Slurm's variables out of the environment of its jobs.)
 # Debian: apt install slurmctld slurmd slurm-client munge
 set -eu
+PATH=$PATH:/usr/sbin:/sbin # of the daemons, which a shell of `su` without `-` lacks
 folder=$(realpath "$2")
 
 write_configuration() {
