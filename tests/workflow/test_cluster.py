@@ -27,17 +27,18 @@ OF_TIMES = (" One time step takes ", ",elapsed time of ")
 
 @pytest.fixture(scope="module")
 def slurm(tmp_path_factory):
-    """Environment in which the commands of Slurm are those of the node."""
+    """Environment with the commands of the node, and with Python in a path without a blank."""
     folder = tmp_path_factory.mktemp("node")
+    (folder / "python").symlink_to(sys.prefix)
     script = str(HERE / "one_node_slurm.sh")
     subprocess.run([script, "start", str(folder)], check=True)
-    yield {"PATH": f"{folder / 'bin'}{os.pathsep}{os.environ['PATH']}"}
+    yield {"PATH": os.pathsep.join([f"{folder / 'bin'}", f"{folder / 'python/bin'}", os.environ["PATH"]])}
     subprocess.run([script, "stop", str(folder)], check=True)
 
 
 def start(checkout, slurm, *targets):
     """Start Snakemake with the profile; what it says goes to a file."""
-    command = [sys.executable, "-m", "snakemake", *targets, "--nocolor"]
+    command = ["python", "-m", "snakemake", *targets, "--nocolor"]
     with (checkout / "said").open("w") as said:
         return subprocess.Popen(
             [*command, "--profile", PROFILE, *OF_THIS_NODE],
@@ -56,6 +57,16 @@ def process_of(job):
             if set(job) <= set(words) and "sh" not in Path(words[0]).name:
                 return process
     return None
+
+
+def test_a_python_in_a_path_with_a_blank_submits_no_job(fresh, slurm, tmp_path):
+    (tmp_path / "a python").symlink_to(sys.prefix)
+    elsewhere = {"PATH": f"{tmp_path / 'a python/bin'}{os.pathsep}{slurm['PATH']}"}
+    assert start(fresh, elsewhere, "chang2020").wait(300) == 2
+    said = (fresh / "said").read_text()
+    assert "ln -s" in said
+    assert "Traceback" not in said
+    assert not (fresh / ".snakemake/slurm_logs").exists()
 
 
 def test_shards_on_slurm_one_of_them_killed_give_the_numbers_of_one_local_job(fresh, finished, slurm):

@@ -9,7 +9,11 @@ from riserstudy.errors import InputError
 from riserstudy.files.chapters import chapter_files
 from riserstudy.jobs import SHARED
 from riserstudy.jobs.begin import begin, describe_results
-from riserstudy.jobs.start_server import start_server, use_this_python
+from riserstudy.jobs.start_server import (
+    refuse_quoted_python,
+    start_server,
+    use_this_python,
+)
 from riserstudy.jobs.workplan import ALL_CORES, KERNELS, Workplan
 
 # A job on a cluster starts Snakemake again; all points were checked before it was submitted.
@@ -90,6 +94,12 @@ use_one_thread()
 onstart:
     if workflow.local_exec:
         start_server(PLAN.compiled, workflow.cores)
+    elif workflow.is_main_process:
+        try:
+            refuse_quoted_python(sys.executable)
+        except InputError as error:
+            print(f"riserstudy: {error}", file=sys.stderr)
+            sys.exit(error.exit_code)
 
 
 onsuccess:

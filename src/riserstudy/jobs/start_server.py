@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import atexit
 import os
+import re
+import shlex
 import socket
 import subprocess
 import sys
 from pathlib import Path
 
+from riserstudy.errors import InputError
 from riserstudy.jobs import CORES
 from riserstudy.study.processes import forks
 
@@ -17,6 +20,22 @@ def use_this_python() -> None:
     """Put this Python first in ``PATH``, for all processes that are started from now on."""
     others = os.environ.get("PATH", os.defpath)
     os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), others])
+
+
+def refuse_quoted_python(python: str) -> None:
+    """Refuse a Python whose path a shell splits or expands. Raises InputError.
+
+    Snakemake writes this path without quotes into the scripts that it submits to a cluster.
+    """
+    if re.search(r"[^\w@%+=:,./-]", python):
+        link = "~/riserstudy-environment"
+        raise InputError(
+            python,
+            "",
+            "a cluster cannot start this Python, because its path has a blank or a special character",
+            f"run `ln -s {shlex.quote(str(Path(python).parents[1]))} {link}`, "
+            f"and start Snakemake by `{link}/bin/python -m snakemake`",
+        )
 
 
 def start_server(compiled: str, cores: int) -> None:
