@@ -122,6 +122,14 @@ def ask(db: sqlite3.Connection, sql: str, values: Sequence[Any] = (), where: str
     return Answer([column[0] for column in cursor.description], rows)
 
 
+def rows_by_name(db: sqlite3.Connection, sql: str) -> Iterator[dict[str, Any]]:
+    """Yield the rows of a statement of our own, one after another: there may be a million."""
+    cursor = db.execute(sql)
+    names = [column[0] for column in cursor.description]
+    for row in cursor:
+        yield dict(zip(names, row, strict=True))
+
+
 def _with_names(sql: str) -> str:
     """The statement with its names in backticks instead of double quotes.
 

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
+from riserstudy.database.ask import rows_by_name
 from riserstudy.dataset.limits import NOT_LIMITED
 from riserstudy.dataset.variables import quantity_of
 from riserstudy.records.numerals import spaced
@@ -163,11 +164,8 @@ def relevant_errors(keep: list[str] | None) -> list[str]:
 
 def _points(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Iterator[dict[str, Any]]:
     """Yield points (there may be a million) with their largest counting error and its possible reason."""
-    cursor = db.execute(POINTS)
-    names = [column[0] for column in cursor.description]
     of_study: dict[str, dict[str, Any]] = {}
-    for row in cursor:
-        point = dict(zip(names, row, strict=True))
+    for point in rows_by_name(db, POINTS):
         if point["study"] not in of_study:
             study = _study(files, point)
             because = study.error_because if study and study.error_because else NO_REASON

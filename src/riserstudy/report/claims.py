@@ -7,6 +7,7 @@ from collections import Counter
 from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
+from riserstudy.database.ask import rows_by_name
 from riserstudy.grading.names import option_name
 from riserstudy.grading.reasons import reason, result_rows
 from riserstudy.grading.sentences_by_reading import rows_by_reading
@@ -51,9 +52,7 @@ class Claim(ItemResult):
 
 def read_claims(db: sqlite3.Connection) -> list[Claim]:
     """Return all numbers and claims of the results database, in the order of its tables."""
-    cursor = db.execute("select * from numbers_and_claims order by rowid")
-    names = [column[0] for column in cursor.description]
-    return [_claim_of(dict(zip(names, row, strict=True))) for row in cursor]
+    return [_claim_of(row) for row in rows_by_name(db, "select * from numbers_and_claims order by rowid")]
 
 
 def _claim_of(row: dict[str, Any]) -> Claim:

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from riserstudy.database.ask import connect
+from riserstudy.database.ask import connect, rows_by_name
 from riserstudy.grading.summary import VERDICTS, totals
 from riserstudy.report import audit
 from riserstudy.report.animation import animation
@@ -88,7 +88,8 @@ def contents(sources: Sources) -> dict[str, Any]:
         pictures = {  # encoding takes as long as all the rest, and does not block other threads
             path: pool.submit(picture_of, path) for path in _drawn(known, sources.folder, files)
         }
-        claims, errata = read_claims(db), _errata(db)
+        claims = read_claims(db)
+        errata = list(rows_by_name(db, "select * from errata order by rowid"))
         paths: dict[str, str] = dict(db.execute("select study, path from studies").fetchall())
         # histories are large, and only few of them are read
         datasets = {
@@ -136,13 +137,6 @@ def contents(sources: Sources) -> dict[str, Any]:
         "warned": warned,
         "missed": missed,
     }
-
-
-def _errata(db: sqlite3.Connection) -> list[dict[str, str]]:
-    """Return the rows of the table of errata, in its order."""
-    cursor = db.execute("select * from errata order by rowid")
-    names = [column[0] for column in cursor.description]
-    return [dict(zip(names, row, strict=True)) for row in cursor]
 
 
 def _chapters(
