@@ -15,7 +15,7 @@ from matplotlib.axis import Axis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
-from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
+from matplotlib.ticker import Locator, LogLocator, MaxNLocator, NullFormatter
 
 #: colours that are distinct for colour-blind readers and in grey
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
@@ -24,6 +24,7 @@ WIDTH = 6.4  # inches
 # factor for figures with several columns: at 180 mm, the width of a journal's page, no text is below 6 pt
 WIDE = 1.25
 SHORT = 4.0  # ratio of the ends of a logarithmic axis on which 1, 2 and 5 are too few marks
+WITHIN = (1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0)  # marks of a short axis, in powers of ten
 DECADES = 100.0  # ratio of the ends up to which values between powers of ten are marked
 LETTERS_AN_INCH = 13  # letters of a headline in an inch
 SIGNED: dict[str, Any] = {"cmap": "PuOr_r"}
@@ -119,11 +120,17 @@ def headline(figure: Figure, text: str) -> None:
 def log_ticks(axis: Axis) -> None:
     """Mark the powers of ten of a logarithmic axis that has its data, and 2 and 5 between few of them.
 
-    A short axis, which may contain none of these, has about three round values.
+    A short axis, which may contain one of these or none, has more values, or about three evenly spaced ones.
     """
     low, high = axis.get_view_interval()
     subs = (1.0, 2.0, 5.0) if high < DECADES * low else (1.0,)
-    axis.set_major_locator(MaxNLocator(3) if high < SHORT * low else LogLocator(subs=subs))
+    locator: Locator = LogLocator(subs=subs)
+    if high < SHORT * low:
+        decade = 10.0 ** np.floor(np.log10(low))
+        marks = np.outer([decade, 10.0 * decade], WITHIN)
+        few = np.count_nonzero((marks >= low) & (marks <= high)) < 2
+        locator = MaxNLocator(3) if few else LogLocator(subs=WITHIN)
+    axis.set_major_locator(locator)
     axis.set_minor_formatter(NullFormatter())  # labels within a decade overlap
 
 
