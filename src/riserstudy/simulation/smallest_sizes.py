@@ -7,6 +7,7 @@ through the magnitudes at the steps can miss by a large amount. Its components a
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from riserstudy.records.arrays import FloatArray
 
@@ -31,16 +32,29 @@ def smallest_size(times: FloatArray, vectors: FloatArray) -> tuple[float, float]
     if len(times) < 3:
         return best
     before, after = np.diff(times)[:-1], np.diff(times)[1:]
-    middle = sizes[1:-1]
-    found = np.flatnonzero((middle <= sizes[:-2]) & (middle <= sizes[2:]) & (before > 0.0) & (after > 0.0))
-    found = found[np.argsort(middle[found])[:MOST]]
-    for k in found.tolist():
-        h, j = before[k], after[k]
-        left, right = (vectors[k + 1] - vectors[k]) / h, (vectors[k + 2] - vectors[k + 1]) / j
-        bend = (right - left) / (h + j)
-        slope = left + bend * h
-        away = np.where(PLACES < 0.0, h, j) * PLACES
-        along = np.linalg.norm(vectors[k + 1] + away[:, None] * slope + away[:, None] ** 2 * bend, axis=1)
-        place = int(along.argmin())
-        best = min(best, (float(along[place]), float(times[k + 1] + away[place])))
-    return best
+    inner = sizes[1:-1]
+    steps = 1 + np.flatnonzero((inner <= sizes[:-2]) & (inner <= sizes[2:]) & (before > 0.0) & (after > 0.0))
+    slope, bend = _parabolas(times, vectors, steps)
+    longest = np.maximum(before, after)[steps - 1]
+    reach = longest * np.linalg.norm(slope, axis=1) + longest**2 * np.linalg.norm(bend, axis=1)
+    low = np.flatnonzero(sizes[steps] - reach < best[0])  # only these parabolas can go below the steps
+    low = low[np.argsort(sizes[steps[low]])[:MOST]]
+    if not len(low):
+        return best
+    steps, slope, bend = steps[low], slope[low, None], bend[low, None]
+    away = np.where(PLACES < 0.0, before[steps - 1, None], after[steps - 1, None]) * PLACES
+    along = vectors[steps, None] + away[..., None] * slope + away[..., None] ** 2 * bend
+    between = np.linalg.norm(along, axis=2)
+    one, place = np.unravel_index(int(between.argmin()), between.shape)
+    return min(best, (float(between[one, place]), float(times[steps[one]] + away[one, place])))
+
+
+def _parabolas(
+    times: FloatArray, vectors: FloatArray, steps: NDArray[np.int64]
+) -> tuple[FloatArray, FloatArray]:
+    """Slopes and half second derivatives, (n, 3), of the parabolas through n steps and their neighbours."""
+    before, after = (times[steps] - times[steps - 1])[:, None], (times[steps + 1] - times[steps])[:, None]
+    left = (vectors[steps] - vectors[steps - 1]) / before
+    right = (vectors[steps + 1] - vectors[steps]) / after
+    bend = (right - left) / (before + after)
+    return left + bend * before, bend
