@@ -160,7 +160,9 @@ def finish(scene: Resolved, mesh: Mesh, result: Result) -> Result:
             facts["limits_reached"] = [one.time for one in found]
             facts["limits_reached_error"] = [one.error for one in found]
     facts["solve_seconds"] += clock.perf_counter() - started
-    result.seen = Seen(rotations=seen.rotations)
+    kept = {"time", *seen.rotations}
+    steps = {name: values for name, values in seen.steps.items() if name in kept}
+    result.seen = Seen(steps=steps, rotations=seen.rotations)
     return result
 
 
