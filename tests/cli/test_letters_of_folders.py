@@ -15,11 +15,13 @@ LETTERS = ["Ölfeld", "油田", "champ pétrolier"]
 
 
 def said(folder, *words):
-    """Exit status and messages of a command in a folder."""
-    command = [sys.executable, "-c", "from riserstudy.cli import main; main()", *map(str, words)]
-    done = subprocess.run(
-        command, cwd=folder, env=os.environ | ASCII, capture_output=True, check=False, timeout=120
-    )
+    """Exit status and messages of a command in a folder.
+
+    Without ``site``, Python also starts where the folder of the environment itself has other letters.
+    """
+    command = [sys.executable, "-S", "-c", "from riserstudy.cli import main; main()", *map(str, words)]
+    environment = os.environ | ASCII | {"PYTHONPATH": os.pathsep.join(sys.path)}
+    done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, check=False, timeout=120)
     return done.returncode, done.stderr.decode(errors="replace")
 
 
@@ -27,11 +29,12 @@ def said(folder, *words):
 def test_a_dataset_in_a_folder_of_other_letters_is_refused_in_one_line(tmp_path, letters):
     folder = tmp_path / letters
     folder.mkdir()
-    (folder / "riser.yaml").write_text(SCENE.read_text("utf-8"), "utf-8")
+    for place in (tmp_path, folder):
+        (place / "riser.yaml").write_text(SCENE.read_text("utf-8"), "utf-8")
     (folder / "old.nc").write_bytes(b"\x89HDF\r\n\x1a\n")
     for words in (
         ("run", "riser.yaml", "-o", "out.nc"),
-        ("run", SCENE, "-o", folder / "out.nc"),
+        ("run", tmp_path / "riser.yaml", "-o", folder / "out.nc"),
         ("plot", "old.nc", "--kind", "range", "-o", "x.png"),
         ("table", folder / "old.nc", "-o", tmp_path / "x.csv"),
     ):

@@ -15,7 +15,7 @@ from riserstudy.dataset.limits import coordinates
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.design.allowances_by_offset import ByOffset, ends_of, with_ends
 from riserstudy.design.envelopes import SIDES, envelopes, words_of
-from riserstudy.design.operability import AtRest, Offsets, at_offset, moved, offset_of, offsets_at
+from riserstudy.design.operability import AtRest, Offsets, at_offset, moved, offset_of, offsets_of
 from riserstudy.design.sea_allowances import Allowance, allowances
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.sea import surface_current
@@ -139,9 +139,7 @@ def _each(
 def _offsets(at: AtRest, added: Sequence[ByOffset], reach: float) -> list[Offsets]:
     """Offsets of all limits with their allowances."""
     return [
-        Offsets(math.nan, math.nan, more.missing)
-        if more.missing
-        else offsets_at(at, [limit], reach, {limit.output: more.at})[0]
+        Offsets(math.nan, math.nan, more.missing) if more.missing else offsets_of(at, limit, reach, more.at)
         for limit, more in zip(at.scene.limits or [], added, strict=True)
     ]
 

@@ -74,16 +74,18 @@ def offsets(scene: Resolved, reach: float, allowances: Mapping[str, Added]) -> l
     except SimulationError as failure:
         missing = f"a static equilibrium ({failure})"
         return [Offsets(math.nan, math.nan, missing) for _ in limits]
-    # by outputs, allowances are those of extremes
-    each = [{} if limit.side == "mean" else allowances for limit in limits]
-    return [_between(at, limit, reach, one) for limit, one in zip(limits, each, strict=True)]
+    return offsets_at(at, limits, reach, allowances)
 
 
 def offsets_at(
     at: AtRest, limits: Sequence[Limit], reach: float, allowances: Mapping[str, Allowed]
 ) -> list[Offsets]:
-    """The same for some limits, with static solutions that are shared with other limits."""
-    return [_between(at, limit, reach, allowances) for limit in limits]
+    """The same for some limits, with static solutions that are shared with other limits.
+
+    Allowances by output are those of extremes, so limits on means have none.
+    """
+    each = [0.0 if limit.side == "mean" else allowances.get(limit.output, 0.0) for limit in limits]
+    return [offsets_of(at, limit, reach, one) for limit, one in zip(limits, each, strict=True)]
 
 
 def chart(
@@ -191,11 +193,11 @@ def _fine_enough(scene: Resolved, reach: float) -> Mesh:
     return max(meshes, key=lambda mesh: len(mesh.l0))
 
 
-def _between(at: AtRest, limit: Limit, reach: float, allowances: Mapping[str, Allowed]) -> Offsets:
-    """The offsets between which one limit is met."""
+def offsets_of(at: AtRest, limit: Limit, reach: float, allowance: Allowed) -> Offsets:
+    """The offsets between which one limit is met, with its allowance; arguments as of `offsets`."""
     if missing := lacks(at.scene, limit):
         return Offsets(math.nan, math.nan, ", ".join(missing))
-    over = partial(excess, at, limit, allowances.get(limit.output, 0.0))
+    over = partial(excess, at, limit, allowance)
     first = np.linspace(-reach, reach, NODES).tolist()
     for offset in first:
         with suppress(SimulationError):
