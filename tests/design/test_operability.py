@@ -7,7 +7,7 @@ import pytest
 
 from riserstudy import load_scene
 from riserstudy.dataset.limits import demand_of
-from riserstudy.design.operability import CLOSE, AtRest, _between, offsets
+from riserstudy.design.operability import CLOSE, AtRest, offsets, offsets_of
 
 SCENE = Path(__file__).parents[2] / "config/scenes/design/riser.yaml"
 
@@ -120,7 +120,7 @@ def test_an_offset_without_equilibrium_is_told_and_taken_for_no_limit():
     riser = scene({"output": "lfj_angle", "largest": "4 deg"})
     at = AtRest(riser, 240.0)
     at.lost[60.0] = "no static equilibrium: for this test"
-    both = _between(at, riser.limits[0], 240.0, {})
+    both = offsets_of(at, riser.limits[0], 240.0, 0.0)
     assert math.isnan(both.high)
     assert "for this test" in both.missing
 
