@@ -31,7 +31,9 @@ def test_the_true_demand_is_as_rarely_above_the_band_as_below(count, runs, side)
 
 @pytest.mark.parametrize("side", ["largest", "smallest", "mean"])
 def test_the_band_of_many_seeds_is_that_of_a_normal_distribution(side):
-    assert ends(side, 6.0, 10**6) == pytest.approx((1.645, 1.645), rel=0.3)
+    # with more than 100 seeds, ends are those of 100, whose errors are still skewed: 1.84 and 1.51
+    off = 0.001 if side == "mean" else 0.2
+    assert ends(side, 6.0, 10**6) == pytest.approx((1.645, 1.645), abs=off)
     assert ends(side, 6.0, 1) == (0.0, 0.0)
 
 

@@ -33,9 +33,8 @@ class Periods(NamedTuple):
 
     def at(self, heights: FloatArray, normal: FloatArray) -> FloatArray:
         """Peak periods (s) for heights (m) and standard normal numbers (1), (n,) each."""
-        a, b, c, d, e, f = self.coefficients
-        deviation = d + e * np.exp(f * np.clip(heights, *self.between))
-        return np.asarray(np.exp(a + b * heights**c + deviation * normal))
+        mean, deviation = _logarithm(self.coefficients, heights, self.between)
+        return np.asarray(np.exp(mean + deviation * normal))
 
 
 def fitted(states: FloatArray, start: Sequence[float], between: FloatArray) -> Periods:
@@ -53,18 +52,26 @@ def fitted(states: FloatArray, start: Sequence[float], between: FloatArray) -> P
 
     def unlikely(coefficients: FloatArray) -> float:
         """Mean negative logarithm of the likelihood."""
-        a, b, c, d, e, f = coefficients
-        deviation = d + e * np.exp(f * np.clip(height, *between))
-        off = (mean - a - b * height**c) ** 2 + variance
+        expected, deviation = _logarithm(coefficients, height, between)
+        off = (mean - expected) ** 2 + variance
         return float(np.average(np.log(deviation) + 0.5 * off / deviation**2, weights=count))
 
     low, high = np.array([[np.inf if end is None else end for end in ends] for ends in BOUNDS]).T
+    # a coefficient that is not a number begins at zero or its bound: it is only a start, beside a second one
     first = np.clip(np.nan_to_num(start), low, high)
     found = [
         minimize(unlikely, one, method="L-BFGS-B", bounds=BOUNDS, options={"maxiter": 500, "ftol": 1e-13})
         for one in (first, _even(count, height, mean, variance))
     ]
     return Periods(np.asarray(min(found, key=lambda one: float(one.fun)).x), between)
+
+
+def _logarithm(
+    coefficients: FloatArray, heights: FloatArray, between: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Mean and standard deviation of the logarithm of the period (s) for heights (m), as in the header."""
+    a, b, c, d, e, f = coefficients
+    return a + b * heights**c, d + e * np.exp(f * np.clip(heights, *between))
 
 
 def _even(count: FloatArray, height: FloatArray, mean: FloatArray, variance: FloatArray) -> FloatArray:
