@@ -121,7 +121,6 @@ def largest(result: Result, name: str) -> float:
 def mesh_of(scene: Resolved, result: Result) -> Mesh:
     """Return the mesh of a run."""
     l0 = result.arrays["l0"]
-    ends = np.cumsum([section.total_length for section in scene.riser])
     middle = np.cumsum(l0) - 0.5 * l0
     joint = scene.top.telescopic_joint is not None
-    return Mesh(l0, np.searchsorted(ends, middle).astype(np.int64), joint)
+    return Mesh(l0, np.searchsorted(scene.borders[1:], middle).astype(np.int64), joint)

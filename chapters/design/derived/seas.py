@@ -44,8 +44,7 @@ def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.D
     from riserstudy.design.operability import AtRest, offsets_at  # loads kernels
 
     _, scene = next(scenes_of(seas))
-    ends = np.cumsum([0.0, *(section.total_length for section in scene.riser)]).tolist()
-    places = {s.name: span for s, span in zip(scene.riser, pairwise(ends), strict=True)}
+    places = {s.name: span for s, span in zip(scene.riser, pairwise(scene.borders), strict=True)}
     added = {name: _fractile(each) for name, each in _added(seas, places).items()}
     heights = seas["significant_height"]
     far = to_si(reach, "m")

@@ -191,8 +191,7 @@ def ablate(
 
 def laid(scene: Resolved, mesh: Mesh) -> Mesh:
     """Return the same segments in the sections of a scene, which may be divided at other places."""
-    ends = np.cumsum([section.total_length for section in scene.riser])
-    return mesh._replace(section=np.searchsorted(ends, mesh.s[:-1] + 0.5 * mesh.l0))
+    return mesh._replace(section=np.searchsorted(scene.borders[1:], mesh.s[:-1] + 0.5 * mesh.l0))
 
 
 def brief(scene: Resolved, step: float | None) -> Resolved:

@@ -50,8 +50,7 @@ class Walls:
 
     def __init__(self, run: xr.Dataset, scene: Resolved, path: Path, title: str):
         self._scene, self._path, self._title = scene, path, title
-        ends = np.cumsum([0.0, *(section.total_length for section in scene.riser)])
-        self._ends, self._notes = ends, list[str]()
+        self._ends, self._notes = np.array(scene.borders), list[str]()
         self._time, self._s, self._z = self._elevations(run)
 
     def over_time(self, place: float, time: FloatArray) -> Added:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-from itertools import accumulate
 from typing import TYPE_CHECKING, NamedTuple
 
 from riserstudy.dataset.limits import sections_of
@@ -44,8 +43,7 @@ def limited_spans(run: xr.Dataset, output: str) -> list[Span]:
 def _ends(scene: Resolved, limit: Limit) -> tuple[float, float]:
     """Arclengths (m) between which a limit applies."""
     names = [section.name for section in scene.riser]
-    lengths = accumulate((section.total_length for section in scene.riser), initial=0.0)
-    borders = list(lengths)
+    borders = scene.borders
     within = sections_at(limit.at, names) if limit.at else [one.name for one in sections_of(scene, limit)]
     low, high = borders[names.index(within[0])], borders[names.index(within[-1]) + 1]
     if limit.place.startswith(ENDS[0]):

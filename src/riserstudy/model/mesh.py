@@ -130,8 +130,7 @@ def even(scene: Resolved, elements: int) -> Mesh:
 
 def mesh_of(scene: Resolved, l0: NDArray[np.float64]) -> Mesh:
     """The mesh of a scene with these segment lengths (n,), m, without the mapping of a graded mesh."""
-    ends = np.cumsum([section.total_length for section in scene.riser])
-    section = np.searchsorted(ends, np.cumsum(l0) - 0.5 * l0)
+    section = np.searchsorted(scene.borders[1:], np.cumsum(l0) - 0.5 * l0)
     return Mesh(l0, section, joint_of(scene) is not None, body=_has_body(scene))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import accumulate
 from typing import Annotated, Any
 
 from pydantic import Field, field_validator
@@ -61,6 +62,11 @@ class Parts(Strict):
         """
         jointed = (k for k, section in enumerate(self.riser) if section.flex_joint_below)
         return next(jointed, 0)
+
+    @property
+    def borders(self) -> list[float]:
+        """Unstretched arclengths of the ends of sections (m), from the lower end on, (sections + 1,)."""
+        return list(accumulate((section.total_length for section in self.riser), initial=0.0))
 
     @property
     def riser_sections(self) -> list[Section]:
@@ -133,6 +139,11 @@ class Parts(Strict):
         response = self.platform and self.platform.response
         there = {"platform.response.wave": response and response.wave, "wave": self.wave}
         return {path: wave for path, wave in there.items() if wave}
+
+    @property
+    def irregular_waves(self) -> dict[str, Storm]:
+        """Irregular seas among its waves, by path."""
+        return {path: wave for path, wave in self.waves.items() if isinstance(wave, Storm)}
 
     @property
     def jolts(self) -> list[float]:

@@ -106,7 +106,7 @@ def tension(scene: Resolved, arrays: dict[str, FloatArray], facts: RunFacts) -> 
     """
     along = arrays.get("effective_tension_min", arrays["effective_tension_static"])
     # excluded: stack and conductor, which stand on the seabed, and a telescopic joint, which slides
-    ends = np.concatenate([[0.0], np.cumsum([section.total_length for section in scene.riser])])
+    ends = scene.borders
     s, slip = arrays["s_node"], 1e-9 * ends[-1]
     outside = (s < ends[scene.lowest_riser_section] - slip) | (s > ends[-1] + slip)
     k = int(np.where(outside, np.inf, along).argmin())

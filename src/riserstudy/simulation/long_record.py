@@ -15,7 +15,6 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.resolve import Resolved
-from riserstudy.scene.sea import Storm
 from riserstudy.simulation.error_estimate import CONTROLLED, difference
 from riserstudy.simulation.piece import longest_ramp, piece_of
 from riserstudy.simulation.refinement import Refinement
@@ -39,8 +38,7 @@ def piece_length(scene: Resolved) -> float:
 def is_long(scene: Resolved) -> bool:
     """Whether a scene is a long record of an irregular sea, without events and without a vessel."""
     a = scene.analysis
-    irregular = any(isinstance(wave, Storm) for wave in scene.waves.values())
-    if a.duration is None or a.output is None or not irregular:
+    if a.duration is None or a.output is None or not scene.irregular_waves:
         return False
     if scene.vessel or scene.events or scene.top.tension_loss or massless(scene) or a.solver:
         return False

@@ -13,7 +13,6 @@ from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import COARSEST
 from riserstudy.scene.analysis import Layers, Mesh
 from riserstudy.scene.resolve import Resolved
-from riserstudy.scene.sea import Storm
 from riserstudy.simulation.error_estimate import controlled
 from riserstudy.simulation.forecast import forecast
 from riserstudy.simulation.piece import piece_of
@@ -98,5 +97,4 @@ def _with(scene: Resolved, elements: int, layers: Layers | None, step: float) ->
 
 
 def _long(scene: Resolved) -> bool:
-    irregular = any(isinstance(wave, Storm) for wave in scene.waves.values())
-    return irregular and (scene.analysis.duration or 0.0) > LONG_RECORD
+    return bool(scene.irregular_waves) and (scene.analysis.duration or 0.0) > LONG_RECORD

@@ -47,7 +47,7 @@ def phases_of(file: SceneFile, seed: int) -> dict[str, Any]:
 
 def one_sea(scene: Resolved) -> str:
     """A statement that a run has one of many possible irregular seas; empty without such a sea."""
-    seas = [wave for wave in scene.waves.values() if isinstance(wave, Storm)]
+    seas = scene.irregular_waves.values()
     if scene.analysis.duration is None or not seas:
         return ""
     seeds = " and ".join(str(seed) for seed in dict.fromkeys(sea.seed for sea in seas))
@@ -98,7 +98,7 @@ def _paths(file: SceneFile) -> list[str]:
 def _seas(file: SceneFile) -> dict[str, Storm]:
     """Irregular seas of a scene, by path. Raises InputError when there is none, or the scene is static."""
     scene = file.resolved()
-    seas = {path: wave for path, wave in scene.waves.items() if isinstance(wave, Storm)}
+    seas = scene.irregular_waves
     if not seas:
         allowed = "give `platform.response.wave` or `wave` with significant_height and peak_period"
         raise InputError(file.source, "wave", "the scene has no irregular sea", allowed)

@@ -155,7 +155,7 @@ def test_each_sea_narrows_the_offsets_by_its_own_addition(monkeypatch):
         data[name] = ((*over_all[:2], "s_node"), rows + noise * (1.0 if name.endswith("max") else -1.0))
     runs = xr.Dataset(data, {"significant_height": [3.0, 6.0], "time": time, "s_node": np.arange(3.0)})
     limit = SimpleNamespace(mode="drilling", output="lfj_angle", at=None, place="", side="largest")
-    scene = SimpleNamespace(limits=[limit], riser=[SimpleNamespace(name="riser", total_length=2.0)])
+    scene = SimpleNamespace(limits=[limit], borders=[0.0, 2.0], riser=[SimpleNamespace(name="riser")])
     monkeypatch.setattr(seas, "scenes_of", lambda _: iter([({}, scene)]))
     monkeypatch.setattr(operability, "AtRest", lambda scene, reach: reach)
 
