@@ -27,7 +27,7 @@ def test_tables_sort_by_numbers(browser):
     centre(browser, heading)
     heading.click()
     wait(browser, lambda: rows(browser, 4)[0] != "9 t")
-    numbers = [float(text.split()[0]) for text in rows(browser, 4) if text]
+    numbers = [float(text.split()[0].replace("−", "-")) for text in rows(browser, 4) if text]
     assert numbers == sorted(numbers) == [-2.0, 9.0, 10.0]
 
 
