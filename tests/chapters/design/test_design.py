@@ -12,6 +12,7 @@ from riserstudy.dataset.limits import coordinates
 from riserstudy.design.envelopes import envelopes
 from riserstudy.scene.limits import Limit
 
+MOVING = ("lfj_angle", "ufj_angle", "joint_stroke")
 LIMITS = [
     Limit(output=output, mode=mode, **{side: value})
     for output, mode, side, value in (
@@ -103,7 +104,7 @@ def test_the_heaviest_mud_is_where_the_gap_closes():
 def test_an_allowance_is_what_the_sea_adds_to_the_state_at_rest():
     """Five seeds that add alike: nine seas in ten exceed it by nothing."""
     time, seeds, nodes = np.arange(4.0), 5, 3
-    swing = 1.0 + np.array([0.0, 1.0, -1.0, 0.5])  # about 1, at rest
+    swing = 1.0 + np.array([-0.9, 1.0, -1.0, 0.5])  # about 1, at rest; the first output is not at rest
     over = ("significant_height", "seed", "time")
     shaped = np.tile(swing, (1, seeds, 1))
     noise = 1e-6 * np.arange(seeds)[None, :, None]  # a distribution of no width has no fit
@@ -111,8 +112,11 @@ def test_an_allowance_is_what_the_sea_adds_to_the_state_at_rest():
     runs = xr.Dataset(
         {
             "lfj_angle": (over, 0.01 * (shaped + noise)),
+            "lfj_angle_static": (over[:2], np.full((1, seeds), 0.01)),
             "ufj_angle": (over, -0.02 * (shaped + noise)),
-            "stroke": (over, shaped + noise - 1.0),
+            "ufj_angle_static": (over[:2], np.full((1, seeds), -0.02)),
+            "joint_stroke": (over, shaped + noise),
+            "joint_stroke_static": (over[:2], np.ones((1, seeds))),
             "von_mises_stress_max": ((*over[:2], "s_node"), 3e8 * along + 1e2 * noise),
             "von_mises_stress_static": ((*over[:2], "s_node"), 2e8 * along),
             "effective_tension_min": ((*over[:2], "s_node"), 1e6 * along - 1e2 * noise),
@@ -123,7 +127,9 @@ def test_an_allowance_is_what_the_sea_adds_to_the_state_at_rest():
     found = allowances(runs).isel(significant_height=0)
     expected = {
         "lfj_angle": 0.01,
+        "mean_lfj_angle": 0.002 / 3.0,  # of -0.9, 1, -1 and 0.5, by the trapezoidal rule
         "ufj_angle": 0.02,
+        "mean_ufj_angle": 0.004 / 3.0,
         "joint_stroke": 1.0,
         "von_mises_stress": 1e8,
         "effective_tension": 5e5,
@@ -139,7 +145,8 @@ def test_what_a_sea_adds_to_the_whole_riser_is_never_more_than_to_one_of_its_sec
     still = draw.uniform(50.0, 300.0, 41)
     runs = xr.Dataset(
         {
-            **{name: ("time", np.zeros(3)) for name in ("lfj_angle", "ufj_angle", "stroke")},
+            **{name: ("time", np.zeros(3)) for name in MOVING},
+            **{f"{name}_static": 0.0 for name in MOVING},
             "von_mises_stress_static": ("s_node", still),
             "von_mises_stress_max": ("s_node", still + draw.uniform(0.0, 90.0, 41)),
             "effective_tension_static": ("s_node", still),

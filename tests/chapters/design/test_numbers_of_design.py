@@ -145,11 +145,12 @@ def test_offsets_of_a_limit_that_none_keeps_leave_no_room(monkeypatch):
 def test_each_sea_narrows_the_offsets_by_its_own_addition(monkeypatch):
     """Seeds that add 1 and 2 deg: offsets of 100 m, less ten a degree."""
     time, rows = np.arange(3.0), np.ones((2, 5, 3))
-    degrees = np.deg2rad([1.0, 2.0])[:, None, None] * np.array([0.0, 1.0, 0.5]) + 0.1
+    degrees = np.deg2rad([1.0, 2.0])[:, None, None] * np.array([0.5, 1.0, -0.5]) + 0.1
     over_all = ("significant_height", "seed", "time")
     noise = 1e-9 * np.arange(5)[:, None]
     data = {"lfj_angle": (over_all, rows * degrees + noise * np.array([0.0, 1.0, 0.0]))}
-    data["ufj_angle"], data["stroke"] = data["lfj_angle"], data["lfj_angle"]
+    data["ufj_angle"], data["joint_stroke"] = data["lfj_angle"], data["lfj_angle"]
+    data |= {f"{name}_static": (over_all[:2], 0.1 * rows[..., 0]) for name in (*seas.ANGLES, "joint_stroke")}
     for name in ("von_mises_stress_max", "von_mises_stress_static", "effective_tension_min",
                  "effective_tension_static"):  # fmt: skip
         data[name] = ((*over_all[:2], "s_node"), rows + noise * (1.0 if name.endswith("max") else -1.0))
@@ -159,10 +160,10 @@ def test_each_sea_narrows_the_offsets_by_its_own_addition(monkeypatch):
     monkeypatch.setattr(seas, "scenes_of", lambda _: iter([({}, scene)]))
     monkeypatch.setattr(operability, "AtRest", lambda scene, reach: reach)
 
-    def offsets_at(at, limits, reach, added):
-        return [(-at + 10.0 * np.rad2deg(added["lfj_angle"]), at - 10.0 * np.rad2deg(added["lfj_angle"]), "")]
+    def offsets_of(at, limit, reach, added):
+        return -at + 10.0 * np.rad2deg(added), at - 10.0 * np.rad2deg(added), ""
 
-    monkeypatch.setattr(operability, "offsets_at", offsets_at)
+    monkeypatch.setattr(operability, "offsets_of", offsets_of)
     rests = xr.Dataset({"point_key": ("mud_weight", ["k"])}, {"mud_weight": [1440.0]})
     found = seas.operability_in_seas(rests, runs, "100 m").isel(mud_weight=0)
     envelope = found["envelope_offset"].sel(operation="drilling")
