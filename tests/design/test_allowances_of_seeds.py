@@ -1,10 +1,12 @@
 """The addition of a sea, against seas that are drawn from a known distribution."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from riserstudy.design import sea_allowances
 from riserstudy.design.sea_allowances import allowance
 
 
@@ -49,3 +51,27 @@ def test_nine_in_ten_longer_seas_do_not_exceed_their_addition(seeds, longer):
 def test_a_sea_that_only_relieves_adds_nothing(value):
     assert allowance(np.full(5, value)) == max(value, 0.0)
     assert allowance(np.array([value])) == max(value, 0.0)
+
+
+@pytest.mark.parametrize("side", ["largest", "mean"])
+@pytest.mark.parametrize("lacking", [True, False])
+@pytest.mark.parametrize("seed", range(6))
+def test_an_allowance_is_unknown_where_it_is_unknown_at_any_place_in_any_seed(
+    seed, lacking, side, monkeypatch
+):
+    """Whichever place and seed it is, and whether the place is absent or not a number."""
+    draw = np.random.default_rng(seed)
+    each = [{name: float(draw.uniform(0.1, 1.0)) for name in "abc"} for _ in range(4)]
+    of = {"_shifted" if side == "mean" else "_added": lambda scene, limit, one: one}
+    for name, function in of.items():
+        monkeypatch.setattr(sea_allowances, name, function)
+    limit = SimpleNamespace(side=side, output="von_mises_stress")
+    scene = SimpleNamespace(analysis=SimpleNamespace(mesh=None))
+    known = sea_allowances._of_limit(scene, limit, each, 1.0)
+    assert not known.missing
+    assert known.value == max(known.by_place.values())
+    one, name = each[draw.integers(4)], str(draw.choice(list("abc")))
+    one.pop(name) if lacking else one.update({name: math.nan})
+    found = sea_allowances._of_limit(scene, limit, each, 1.0)
+    assert found.missing
+    assert math.isnan(found.value)

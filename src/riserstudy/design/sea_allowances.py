@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -161,12 +162,10 @@ def _shifts(there: Resolved, scene: Resolved, mesh: Mesh, moving: Result, rest: 
 def _of_limit(scene: Resolved, limit: Limit, runs: Sequence[Run], longer: float) -> Allowance:
     """The allowance of a limit, from the runs in the sea; ``longer``: duration of a sea, in runs."""
     if limit.side == "mean":
-        each = [_shifted(scene, limit, one) for one in runs]
-        places = {where: float(np.mean([one.get(where, math.nan) for one in each])) for where in each[0]}
+        places = of_seeds([_shifted(scene, limit, one) for one in runs], lambda added: float(np.mean(added)))
     else:
-        each = [_added(scene, limit, one) for one in runs]
-        places = {where: allowance(np.array([one[where] for one in each]), longer) for where in each[0]}
-    value = max(places.values(), default=math.nan)
+        places = of_seeds([_added(scene, limit, one) for one in runs], partial(allowance, longer=longer))
+    value = float(np.max([*places.values()])) if places else math.nan  # not known if one of them is not
     if math.isnan(value):
         return Allowance(value, f"{limit.output} in the runs of the sea")
     if scene.analysis.mesh is None:
@@ -176,6 +175,18 @@ def _of_limit(scene: Resolved, limit: Limit, runs: Sequence[Run], longer: float)
     if why:
         return Allowance(math.nan, f"in the runs of the sea, {why}")
     return Allowance(value, "", places)
+
+
+def of_seeds(each: Sequence[Mapping[str, float]], combine: Callable[[FloatArray], float]) -> dict[str, float]:
+    """The allowance at each place, in the unit of the output; NaN where a seed lacks the place.
+
+    Parameters
+    ----------
+    each : additions of each seed, by place.
+    combine : function that gives an allowance from the additions of the seeds, (seeds,).
+    """
+    names = dict.fromkeys(name for one in each for name in one)
+    return {name: combine(np.array([one.get(name, math.nan) for one in each])) for name in names}
 
 
 def allowance(added: FloatArray, longer: float = 1.0) -> float:
