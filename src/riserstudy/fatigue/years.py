@@ -108,8 +108,8 @@ def axes_of(study: xr.Dataset) -> list[str]:
 def over_years(study: xr.Dataset, occurs: Occurrence, at: Mapping[str, str], calm: bool = False) -> Years:
     """Damage per year of a study's details in the given sea states.
 
-    Seeds have equal weights. Between simulated sea states, the fourth root of damage is interpolated
-    linearly; the error is estimated by omission of every second sea state. Raises InputError when an axis has
+    Seeds have equal weights. Between simulated sea states, damage is interpolated as in `Response`; the error
+    is estimated by omission of every second sea state. Raises InputError when an axis has
     no value, or sea states are outside the simulated range.
 
     Parameters
