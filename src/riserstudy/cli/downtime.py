@@ -228,7 +228,7 @@ def _show_returns(made: Downtime, period: list[int], units: UnitSystem) -> None:
     from riserstudy.dataset.tables import in_units
     from riserstudy.seas.riser_returns import returned, table_of
 
-    print("responses that are exceeded once in a return period:")
+    print("responses that are exceeded in a year with a probability of 1 / return period:")
     show(in_units(table_of(returned(made.demands, period)), units), None)
 
 

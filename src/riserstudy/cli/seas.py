@@ -118,6 +118,7 @@ def seas(
     for line in described(found):
         print(line)
     if heights:
+        print("heights that are exceeded in a year with a probability of 1 / return period:")
         show(heights, None)
     if places:
         show(places, csv)

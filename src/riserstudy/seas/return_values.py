@@ -1,8 +1,9 @@
 """Return values for long return periods by two methods, each with a band.
 
-Largest values of years follow a Gumbel distribution. Peaks over a threshold, one per storm, follow a
-generalised Pareto distribution and a Poisson process. Bands are from distributions that may be true, by the
-errors of fits to samples of the same size.
+By both methods, the return value for T years is exceeded in a year with a probability of 1 / T. Largest
+values of years follow a Gumbel distribution. Peaks over a threshold, one per storm, follow a generalised
+Pareto distribution and a Poisson process. Bands are from distributions that may be true, by the errors of
+fits to samples of the same size.
 """
 
 from __future__ import annotations
@@ -70,6 +71,8 @@ def of_peaks(
 ) -> ReturnValue:
     """Return value from peaks over a threshold, (n,), in a recorded time (years).
 
+    ``years``: return period, above 1; in a year, the value is exceeded with a probability of 1 / years.
+
     References
     ----------
     Davison and Smith 1990, J. R. Stat. Soc. B 52; fitted by L-moments, Hosking and Wallis 1987,
@@ -85,20 +88,28 @@ def drawn_of_peaks(
 ) -> tuple[float, FloatArray]:
     """Return value, and (count,) values that may be true."""
     over = peaks - threshold
-    # numbers of peaks above the value, and above the threshold, that records of this length have on average
-    once, expected = recorded / years, draw.gamma(len(peaks) + 0.5, size=count)
-    drawn = possible(over, draw, count).over(np.minimum(once / expected, 1.0))
-    return threshold + float(fitted(over).over(once / len(peaks))), threshold + drawn
+    # numbers of peaks above the value, and above the threshold, that records of this length have on average;
+    # a year has none above the value with a probability of exp(-number / recorded) = 1 - 1 / years
+    above, expected = -math.log1p(-1.0 / years) * recorded, draw.gamma(len(peaks) + 0.5, size=count)
+    drawn = possible(over, draw, count).over(np.minimum(above / expected, 1.0))
+    return threshold + float(fitted(over).over(min(above / len(peaks), 1.0))), threshold + drawn
 
 
-def storms(time: NDArray[np.datetime64], values: FloatArray, a_year: float) -> tuple[FloatArray, float]:
-    """Peaks, (n,), of a number of the highest storms per year, and the threshold below them.
+def storms(
+    time: NDArray[np.datetime64], values: FloatArray, recorded: float, a_year: float = PEAKS_A_YEAR
+) -> tuple[FloatArray, float]:
+    """Peaks, (n,), of the highest storms, and the threshold below them.
 
     Storms are separate if their peaks are at least 72 hours apart. Values may be missing (NaN).
+
+    Parameters
+    ----------
+    recorded : time with values (years), without gaps.
+    a_year : number of storms per recorded year.
     """
     hours = (time - time[0]) / np.timedelta64(1, "h")
     order = np.argsort(-np.nan_to_num(values, nan=-np.inf))
-    wanted = max(4, round(a_year * (hours[-1] - hours[0]) / 8766.0))
+    wanted = max(4, round(a_year * recorded))
     chosen: list[int] = []
     for k in order[np.isfinite(values[order])]:
         if all(abs(hours[k] - hours[other]) >= APART for other in chosen):
@@ -127,8 +138,8 @@ def return_values(
     """
     known = np.isfinite(values)
     largest = np.array([np.nanmax(values[of]) for of in whole_years(time, known, interval)])
-    peaks, threshold = storms(time, values, PEAKS_A_YEAR)
-    recorded = known.sum() * interval / 8766.0
+    recorded = float(known.sum()) * interval / 8766.0
+    peaks, threshold = storms(time, values, recorded)
     rows: list[list[Cell]] = []
     for period in periods:
         each = (of_years(largest, period), of_peaks(peaks, threshold, recorded, period))

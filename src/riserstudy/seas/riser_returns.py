@@ -21,14 +21,7 @@ from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
 from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.limits import UNITS, Limit
-from riserstudy.seas.return_values import (
-    PEAKS_A_YEAR,
-    ReturnValue,
-    drawn_of_peaks,
-    drawn_of_years,
-    storms,
-    whole_years,
-)
+from riserstudy.seas.return_values import ReturnValue, drawn_of_peaks, drawn_of_years, storms, whole_years
 from riserstudy.seas.riser_hours import Met
 from riserstudy.seas.year_bands import BAND
 from riserstudy.study.demand_in_sea import scales_of
@@ -119,7 +112,7 @@ def _of_limit(
         middle = sign * demand + off / NINE_IN_TEN * draw.standard_normal() + change * scale
         values = middle + factor * scale * (draw.gumbel(size=len(demand)) - REDUCED)
         largest = np.array([values[rows].max() for rows in whole])
-        peaks, threshold = storms(of.time, values, PEAKS_A_YEAR)
+        peaks, threshold = storms(of.time, values, recorded)
         for k, period in enumerate(periods):
             by_years[k].append(drawn_of_years(largest, period, draw, DRAWS))
             of_peaks = drawn_of_peaks(peaks, threshold, recorded, period, draw, DRAWS)
