@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.dataset.statistics import NOT_EXCEEDED
 from riserstudy.files.digests import engine_digest
-from riserstudy.records.numerals import newtons
+from riserstudy.records.numerals import newtons, percent
 from riserstudy.records.words import counted, listed
 from riserstudy.scene.load import SceneFile
 from riserstudy.seas.between_headings import Middle
@@ -80,6 +81,12 @@ def _of_seas(parts: Sequence[Part], directed: bool) -> Iterator[str]:
 def _of_demands(parts: Sequence[Part]) -> Iterator[str]:
     """Lines about the meaning of demands, and about their errors."""
     riser = parts[0].riser
+    if riser.seeds > 1 and any(limit.side != "mean" for limit in riser.limits):
+        yield (
+            f"demands of extremes: estimates, without bias, of the value that {percent(NOT_EXCEEDED)} of the "
+            f"intervals of {riser.interval / 3600.0:g} h do not exceed; {percent(riser.exceeded)} exceed an "
+            f"estimate from {riser.seeds} seeds on average"
+        )
     for name, mud in zip(riser.labels, riser.mud, strict=True):
         if mud > 0.0:
             yield (

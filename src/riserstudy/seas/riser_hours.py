@@ -14,7 +14,7 @@ from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.limits import UNITS as OUTPUT_UNITS
 from riserstudy.scene.limits import Limit
 from riserstudy.seas.cover import Cover, scale_of
-from riserstudy.seas.hours import Hours, hours_of
+from riserstudy.seas.hours import Hours, hours_of, one_each
 from riserstudy.seas.sea_states import SeaStates
 from riserstudy.seas.surface import Surface
 
@@ -54,7 +54,7 @@ class RiserHours(NamedTuple):
 class Response(NamedTuple):
     """Demands of limits, (n, limits), in sea states or in rows, in the unit of each limit's output."""
 
-    demand: FloatArray  # value that nine in ten intervals do not exceed
+    demand: FloatArray  # estimate of the value that nine in ten intervals do not exceed
     off: FloatArray  # its error by the surface, the mesh and headings in between
     # ends of its band because of few seeds, in addition: towards worse and better demands
     seeds_worse: FloatArray
@@ -152,16 +152,18 @@ def riser_hours(
     error : (limits,) largest error of the response, as a share of the allowable.
     also : (rows,) true where limits on the sea are met.
     """
+    single = one_each(record, known)
+    rows = rows.among(single[known])
     modes = []
     for mode, needed in MODES.items():
         of_mode = [k for k, limit in enumerate(limits) if limit.mode in needed]
         if not any(limits[k].mode == mode for k in of_mode):
             continue
-        every, worst, best = (
-            np.asarray(flags[:, of_mode].all(axis=1)) & also[known]
+        workable, worst, best = (
+            np.asarray(flags[:, of_mode].all(axis=1)) & also[single]
             for flags in (rows.found, rows.worst, rows.best)
         )
-        hours = hours_of(record, known, every)
+        hours = hours_of(record, known, single, workable)
         modes.append(OfMode(mode, hours, float(worst.mean()), float(best.mean())))
     lost = np.asarray(np.isnan(rows.demand).any(axis=1))
     return RiserHours(modes, _by_limit(rows, limits, error, lost), float(lost.mean()))

@@ -16,7 +16,7 @@ from riserstudy.scene.limits import UNITS, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.pressures import not_in_demand
 from riserstudy.study import store
-from riserstudy.study.demand_in_sea import demand, ends
+from riserstudy.study.demand_in_sea import demand, ends, exceeded_on_average
 from riserstudy.study.departures import check_stays
 from riserstudy.study.in_sea import Sea, exposure, phases_of, values_of
 from riserstudy.study.simulate_points import attempt
@@ -104,6 +104,11 @@ class RiserResponse:
     def ends(self) -> FloatArray:
         """Ends of the band of demands by few seeds, (2, limits): worse and better, in standard errors."""
         return np.array([ends(limit.side, self.runs, self.seeds) for limit in self.limits]).T
+
+    @property
+    def exceeded(self) -> float:
+        """Share of intervals that exceed the demand of an extreme, on average over demands (1)."""
+        return exceeded_on_average(self.runs, self.seeds)
 
     def seconds(self, states: FloatArray) -> float:
         """Elapsed time of a run (s), the smallest over sea states (m, 2), since the first also loads kernels.

@@ -1,4 +1,9 @@
-"""Demand of a limit in a sea, from runs with several seeds, which nine in ten intervals do not exceed."""
+"""Demand of a limit in a sea, from runs with several seeds: what nine in ten intervals do not exceed.
+
+The demand is an estimate without bias, as shares of time require: sea states of which it is too large are as
+frequent as those of which it is too small. A single demand is therefore exceeded by more than one in ten
+intervals on average, because a demand that is too small adds more than an equally large one takes away.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.dataset.fit_bias import ends_of_band, error_of
+from riserstudy.dataset.fit_bias import bias_of, ends_of_band, error_of
+from riserstudy.dataset.further_seas import MOST, drawn_fits
 from riserstudy.dataset.statistics import FEWEST_SEEDS, NOT_EXCEEDED, gumbel
 from riserstudy.errors import InputError
 from riserstudy.records.arrays import FloatArray
@@ -19,7 +25,7 @@ BAND = 0.9  # share of cases in which the band of a demand contains its true val
 class Demand(NamedTuple):
     """The demand of a limit, in the unit of its output."""
 
-    value: float  # value that nine in ten intervals do not exceed
+    value: float  # estimate, without bias, of the value that nine in ten intervals do not exceed
     deviation: float  # its standard error due to the number of seeds; NaN for one seed
     scale: float  # scale of the Gumbel distribution of intervals; 0 for means, NaN for one seed
 
@@ -68,6 +74,23 @@ def demand(values: FloatArray, side: str, runs: float) -> Demand:
 def scales_of(runs: float) -> float:
     """Scales (1) of a demand above the mode of runs, in an interval as long as ``runs`` runs (1)."""
     return math.log(runs) - math.log(-math.log(NOT_EXCEEDED))
+
+
+def exceeded_on_average(runs: float, seeds: int) -> float:
+    """Share of intervals whose extreme exceeds the demand from some seeds, on average over such demands (1).
+
+    More than one in ten. For many seeds, the excess is inversely proportional to their number.
+
+    Parameters
+    ----------
+    runs : length of the interval divided by the length of a run (1).
+    """
+    few = min(seeds, MOST)
+    modes, scales = drawn_fits(few)
+    bias = bias_of(few)
+    demands = modes + (scales_of(runs) - bias.mode) * scales / bias.scale
+    share = float(-np.expm1(-runs * np.exp(-demands)).mean())
+    return 1.0 - NOT_EXCEEDED + (share - 1.0 + NOT_EXCEEDED) * few / seeds
 
 
 def ends(side: str, runs: float, seeds: int) -> tuple[float, float]:
