@@ -7,7 +7,7 @@ import xarray as xr
 
 from riserstudy.errors import InputError
 from riserstudy.seas.hours import hours, sea_limit
-from riserstudy.seas.record import FILLS, gaps, next_to_each_other, read_record
+from riserstudy.seas.record import FILLS, gaps, read_record
 
 HEIGHTS, FROM = "significant_wave_height", "wave_from_direction"
 PER_METRE = {"m": 1, "cm": 100, "mm": 1000}
@@ -138,9 +138,6 @@ def test_rows_closer_than_others_are_refused_and_make_no_longer_windows(tmp_path
     sea = xr.Dataset({HEIGHTS: ("time", height)}, {"time": time}, {"interval_hours": 3.0})
     with pytest.raises(InputError, match="rows with values are 1 h apart"):
         hours(sea, [sea_limit("hs <= 2 m")])
-    joined = next_to_each_other(time, 3.0)
-    assert joined[: coarse - 1].all()
-    assert not joined[coarse - 1 :].any()
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
 from riserstudy.inputs.misfit import Misfit
+from riserstudy.records.words import counted
 from riserstudy.scene.units import to_si
 from riserstudy.seas.columns import NAMES, Column, plain
 from riserstudy.seas.record import interval_of_rows, next_to_each_other, rows_of
@@ -22,7 +23,7 @@ from riserstudy.seas.year_bands import Band, band, band_of_next
 from riserstudy.seas.years import WHOLE, Year, by_year
 from riserstudy.study.months import MONTHS, hours_of_month, month_of, uneven_months
 from riserstudy.study.persistence import PERSISTENCE
-from riserstudy.study.spacing import check_spacing
+from riserstudy.study.spacing import check_spacing, one_per_interval
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -68,7 +69,8 @@ class Hours(NamedTuple):
     workable: NDArray[np.bool_]  # for each of these rows
     time: NDArray[np.datetime64]
     years: list[Year]
-    joined: NDArray[np.bool_]  # (rows - 1,) whether a row and the next are one interval apart
+    joined: NDArray[np.bool_]  # (rows - 1,) whether no gap is between a row and the next
+    between: int = 0  # number of rows between these rows, closer than an interval, which are not counted
 
     @property
     def share(self) -> float:
@@ -153,7 +155,12 @@ class Hours(NamedTuple):
         named = (
             f"months without a share, because less than {WHOLE:.0%} is recorded: {', '.join(partial[:NAMED])}"
         )
-        return [line for line in (uneven_months(self.time), f"{named}{more}" if partial else "") if line]
+        between = (
+            f"{counted(self.between, 'row')} between rows that are {self.interval:g} h apart: not counted, "
+            "because each row counts as one interval"
+        )
+        lines = [(uneven_months(self.time), True), (f"{named}{more}", partial), (between, self.between)]
+        return [line for line, there in lines if line and there]
 
     @property
     def _months(self) -> dict[tuple[int, int], NDArray[np.bool_]]:
@@ -194,9 +201,10 @@ def hours(record: xr.Dataset, limits: Sequence[SeaLimit]) -> Hours:
 
     Raises InputError when the record lacks a quantity that a limit names, or all of its values.
     """
-    known = rows_with_values(record, limits)
+    every = rows_with_values(record, limits)
+    known = one_each(record, every)
     workable = np.all([one.met(record) for one in limits], axis=0)[known]
-    return hours_of(record, known, workable)
+    return hours_of(record, every, known, workable)
 
 
 def check_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> None:
@@ -251,17 +259,40 @@ def met_by_rows(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[np.bo
     return np.asarray(np.all([every, *(one.met(record) for one in limits)], axis=0))
 
 
-def hours_of(record: xr.Dataset, known: NDArray[np.bool_], workable: NDArray[np.bool_]) -> Hours:
-    """Workable hours from flags of known rows, (rows,), and of workable rows among these, (known,).
+def one_each(record: xr.Dataset, known: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Known rows, (rows,), without those between two others that are one interval apart."""
+    time = record["time"].values[known]
+    kept = known.copy()
+    kept[known] = one_per_interval(time, interval_of_rows(time, float(record.attrs["interval_hours"])))
+    return kept
+
+
+def hours_of(
+    record: xr.Dataset, every: NDArray[np.bool_], known: NDArray[np.bool_], workable: NDArray[np.bool_]
+) -> Hours:
+    """Workable hours of a record.
 
     Raises InputError when known rows have another interval in a part of the record.
+
+    Parameters
+    ----------
+    every : (rows,) true for rows with all values.
+    known : (rows,) true for those that count, from `one_each`.
+    workable : (known,) true for workable rows among these.
     """
     time = record["time"].values[known]
-    check_spacing("RECORD", time)
+    check_spacing("RECORD", record["time"].values[every])
     interval = interval_of_rows(time, float(record.attrs["interval_hours"]))
     years = by_year(time, workable, interval)
     return Hours(
-        len(time), int((~known).sum()), interval, workable, time, years, next_to_each_other(time, interval)
+        len(time),
+        int((~every).sum()),
+        interval,
+        workable,
+        time,
+        years,
+        next_to_each_other(time, interval),
+        int((every & ~known).sum()),
     )
 
 

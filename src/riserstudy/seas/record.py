@@ -21,7 +21,7 @@ from riserstudy.scene.units import to_si
 from riserstudy.seas.columns import COLUMNS, UNSURE_HEIGHT, Head, check_fills, head, labels_of
 from riserstudy.seas.netcdf_record import Place, read_netcdf
 from riserstudy.seas.zones import check_zone_of_table
-from riserstudy.study.spacing import check_spacing
+from riserstudy.study.spacing import FURTHER, check_spacing
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -33,8 +33,6 @@ MISSING = ("", "nan", "na", "n/a", "null")
 FILLS = ("-999", "-999.0", "999", "9999", "99.0", "99.00")
 CLOSER = 0.95  # distance of rows, in intervals, below which they count as too close
 MOST_CLOSER = 0.01  # largest share of such rows, since clocks are adjusted occasionally
-# range of the distance of successive rows, in intervals, since some are early or late
-NEXT = (0.75, 1.25)
 SHORTEST_DATE = len("20051231")
 ZONES = ("", "utc", "gmt", "z", "iso 8601", "iso8601")  # texts in a header for times in UTC
 #: coefficients of gamma to the powers 0 to 3: zero-upcrossing period / peak period of a JONSWAP spectrum
@@ -124,14 +122,16 @@ def interval_of_rows(time: NDArray[np.datetime64], otherwise: float) -> float:
 def gaps(record: xr.Dataset) -> list[Gap]:
     """Gaps: rows whose distance exceeds the most frequent interval by more than clock errors."""
     time = record["time"].values
-    wide = np.flatnonzero(_intervals(time, record.attrs["interval_hours"]) > NEXT[1])
+    wide = np.flatnonzero(_intervals(time, record.attrs["interval_hours"]) > FURTHER)
     return [Gap(time[k], time[k + 1]) for k in wide]
 
 
 def next_to_each_other(time: NDArray[np.datetime64], interval: float) -> NDArray[np.bool_]:
-    """Whether each row (n,) and the next are one interval (h) apart, (n - 1,), without a gap between."""
-    apart = _intervals(time, interval)
-    return (apart > NEXT[0]) & (apart < NEXT[1])
+    """Whether no gap is between each row (n,) and the next, (n - 1,); most are one interval (h) apart.
+
+    Rows that are closer, because a clock was set, have no gap between them.
+    """
+    return np.asarray(_intervals(time, interval) <= FURTHER)
 
 
 def _intervals(time: NDArray[np.datetime64], interval: float) -> NDArray[np.float64]:

@@ -59,6 +59,28 @@ def check_spacing(where: Path | str, time: NDArray[np.datetime64]) -> None:
     raise InputError(where, "time", found, allowed)
 
 
+def one_per_interval(time: NDArray[np.datetime64], interval: float) -> NDArray[np.bool_]:
+    """Whether each row (n,) counts: not if it is between two others that are one interval apart.
+
+    Each row counts as one interval, and a report at half past, for example, would count twice. A row that is
+    early because a clock was set is kept: without it, there would be a gap.
+
+    Parameters
+    ----------
+    time : increasing times, (n,).
+    interval : usual time between rows, in the unit h.
+    """
+    hours = np.append((time - time[:1]) / np.timedelta64(1, "s") / 3600.0 / interval, np.inf)
+    kept = np.ones(len(time), bool)
+    for row in np.flatnonzero(np.diff(hours[:-1]) < 1.0 / FURTHER) + 1:
+        before = row - 1
+        while not kept[before]:
+            before -= 1
+        apart, without = hours[[row, row + 1]] - hours[before]
+        kept[row] = apart >= 1.0 / FURTHER or without > FURTHER
+    return kept
+
+
 def stretches(flags: NDArray[np.bool_], joined: NDArray[np.bool_]) -> NDArray[np.int64]:
     """First row and row after the last of each period of successive rows with a flag, (k, 2).
 
