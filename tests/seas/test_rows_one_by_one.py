@@ -49,9 +49,10 @@ def is_met(limit, demand, change):
 def test_hours_are_those_of_rows_counted_one_by_one(seed):
     draw, record, limits, known, response = drawn(seed)
     error = draw.uniform(0.0, 0.2, len(limits))
-    calm = draw.random(len(known)) < 0.7
-    found = riser_hours(record, known, met(response, limits), limits, error, calm)
-    rows, of_sea = range(len(response.demand)), calm[known]
+    sea = {name: draw.random(len(known)) < 0.8 for name in ("wind", "current")[: draw.integers(3)]}
+    found = riser_hours(record, known, met(response, limits), limits, error, sea)
+    rows = range(len(response.demand))
+    of_sea = [all(flags[known][n] for flags in sea.values()) for n in rows]
 
     changes = {
         0.0: 0.0 * response.off,
@@ -73,15 +74,31 @@ def test_hours_are_those_of_rows_counted_one_by_one(seed):
     for one in found.modes:
         expected = [share(one.mode, sign) for sign in (0.0, 1.0, -1.0)]
         assert [one.hours.share, one.low, one.high] == pytest.approx(expected)
+        assert [of.limit for of in one.hours.lost] == [*sea]
+        for of in one.hours.lost:  # if this limit were lifted, so many more rows would be workable
+            lifted = riser_hours(
+                record,
+                known,
+                met(response, limits),
+                limits,
+                error,
+                {k: v for k, v in sea.items() if k != of.limit},
+            )
+            (again,) = (other for other in lifted.modes if other.mode == one.mode)
+            assert of.alone == pytest.approx(again.hours.share - one.hours.share)
+            assert of.exceeded == pytest.approx((~sea[of.limit][known]).mean())
     there = [n for n in rows if not math.isnan(response.demand[n, 0])]
     assert found.unknown == pytest.approx(1.0 - len(there) / len(rows))
     for k, limit in enumerate(limits):
         names = NEEDED.get(limit.mode, limit.mode).split()
         over = [[j for j, o in enumerate(limits) if o.mode in names and not is_met(o, d[j], 0.0)]
                 for d in response.demand[there]]  # fmt: skip
+        calm = [of_sea[n] for n in there]
         row = dict(zip(found.limits.columns, found.limits.rows[k], strict=True))
         assert row["exceeded"] == pytest.approx(100.0 * sum(k in of for of in over) / len(rows))
-        assert row["alone"] == pytest.approx(100.0 * sum(of == [k] for of in over) / len(rows))
+        assert row["alone"] == pytest.approx(
+            100.0 * sum(of == [k] and at for of, at in zip(over, calm, strict=True)) / len(rows)
+        )
         order = sorted(response.demand[there, k], reverse=limit.side != "smallest")
         assert row["largest"] == order[0]
         assert row["allowed"] == float(next(filter(None, (limit.largest, limit.smallest, limit.mean)))[:2])

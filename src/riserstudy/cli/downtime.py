@@ -284,7 +284,7 @@ def of_the_sea(
     for one in limits:
         if calm := int(one.calm(sea).sum()):
             print(f"{counted(calm, 'row')} without waves or a {one.quantity.long_name} meet the limit on it")
-    for line in found.notes:
+    for line in [*map(str, found.lost), *found.notes]:
         print(line)
     mean = banded(found.mean_year(ahead.persistence))
     print(f"workable: {found.share:.2%} of all rows; {mean} in a mean year")

@@ -54,6 +54,7 @@ def summarise(
         *_of_all_seas(parts[0].riser.file),
         *_of_headings(parts[0].riser.file, middles, record, directed),
         *_of_rows(parts, middles, hours, directed),
+        *(f"{one.mode}: {lost}" for one in hours.modes for lost in one.hours.lost),
         *hours.modes[0].hours.notes,
     ]
 

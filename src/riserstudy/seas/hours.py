@@ -16,6 +16,7 @@ from riserstudy.inputs.misfit import Misfit
 from riserstudy.records.words import counted
 from riserstudy.scene.units import to_si
 from riserstudy.seas.columns import NAMES, Column, plain
+from riserstudy.seas.lost_hours import Lost, lost_by
 from riserstudy.seas.record import interval_of_rows, next_to_each_other, rows_of
 from riserstudy.seas.sea_states import without_waves
 from riserstudy.seas.windows import Wait, Windows, statistics_of, waits, windows
@@ -70,6 +71,8 @@ class Hours(NamedTuple):
     time: NDArray[np.datetime64]
     years: list[Year]
     joined: NDArray[np.bool_]  # (rows - 1,) whether no gap is between a row and the next
+    # hours lost by limits on the sea; for one such limit alone, these are all hours that are not workable
+    lost: Sequence[Lost] = ()
     between: int = 0  # number of rows between these rows, closer than an interval, which are not counted
 
     @property
@@ -203,8 +206,10 @@ def hours(record: xr.Dataset, limits: Sequence[SeaLimit]) -> Hours:
     """
     every = rows_with_values(record, limits)
     known = one_each(record, every)
-    workable = np.all([one.met(record) for one in limits], axis=0)[known]
-    return hours_of(record, every, known, workable)
+    met = {str(one): one.met(record)[known] for one in limits}
+    workable = np.all([*met.values()], axis=0)
+    lost = lost_by(met, np.ones(len(workable), bool)) if len(met) > 1 else []
+    return hours_of(record, every, known, workable)._replace(lost=lost)
 
 
 def check_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> None:
@@ -249,16 +254,6 @@ def rows_with_values(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[
     return known
 
 
-def met_by_rows(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[np.bool_]:
-    """Whether each row meets all limits; a row without a value does not.
-
-    Raises InputError when the record lacks a quantity that a limit names.
-    """
-    check_limits(record, limits)
-    every = np.ones(record.sizes["time"], bool)
-    return np.asarray(np.all([every, *(one.met(record) for one in limits)], axis=0))
-
-
 def one_each(record: xr.Dataset, known: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Known rows, (rows,), without those between two others that are one interval apart."""
     time = record["time"].values[known]
@@ -292,7 +287,7 @@ def hours_of(
         time,
         years,
         next_to_each_other(time, interval),
-        int((every & ~known).sum()),
+        between=int((every & ~known).sum()),
     )
 
 

@@ -12,7 +12,7 @@ from riserstudy.seas.cover import check_most
 from riserstudy.seas.directions import FROM, Directions, directions_that_count
 from riserstudy.seas.downtime_dataset import dataset_of, largest_errors, summarise
 from riserstudy.seas.heading_parts import Effort, Part, headings, interval_of, riser_half_way, simulate
-from riserstudy.seas.hours import SeaLimit, met_by_rows, rows_with_values
+from riserstudy.seas.hours import SeaLimit, rows_with_values
 from riserstudy.seas.riser_hours import RiserHours, by_rows, met, response_of, riser_hours
 from riserstudy.seas.riser_response import RiserResponse
 from riserstudy.seas.riser_returns import Demands
@@ -101,7 +101,8 @@ def _counted(
     for middle in middles:
         rows = widened(rows, middle.rows[known], middle)
     found = met(rows, riser.limits)
-    sea, there = met_by_rows(record, limits), rows_with_values(record, limits)
+    there = rows_with_values(record, limits)
+    sea = {str(one): one.met(record) for one in limits}
     error = largest_errors(parts, middles)
     # a row without a quantity of a sea limit is neither workable nor not workable
     judged = found.among(there[known])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -15,6 +15,7 @@ from riserstudy.scene.limits import UNITS as OUTPUT_UNITS
 from riserstudy.scene.limits import Limit
 from riserstudy.seas.cover import Cover, scale_of
 from riserstudy.seas.hours import Hours, hours_of, one_each
+from riserstudy.seas.lost_hours import lost_by
 from riserstudy.seas.sea_states import SeaStates
 from riserstudy.seas.surface import Surface
 
@@ -45,7 +46,8 @@ class RiserHours(NamedTuple):
     """Workable hours of a riser."""
 
     modes: list[OfMode]
-    # for each limit: share of rows in which it is exceeded, and in which only it is exceeded
+    # for each limit: share of rows in which it is exceeded, and in which it is the only exceeded limit of its
+    # mode and of the sea
     limits: Table
     # share of rows next to sea states whose runs failed, which count as not workable
     unknown: float
@@ -141,7 +143,12 @@ def met(rows: Response, limits: Sequence[Limit]) -> Met:
 
 
 def riser_hours(
-    record: xr.Dataset, known: Flags, rows: Met, limits: Sequence[Limit], error: FloatArray, also: Flags
+    record: xr.Dataset,
+    known: Flags,
+    rows: Met,
+    limits: Sequence[Limit],
+    error: FloatArray,
+    sea: Mapping[str, Flags],
 ) -> RiserHours:
     """Workable hours by mode.
 
@@ -150,32 +157,36 @@ def riser_hours(
     known : (rows,) from `by_rows`.
     rows : from `met`.
     error : (limits,) largest error of the response, as a share of the allowable.
-    also : (rows,) true where limits on the sea are met.
+    sea : for each limit on the sea, whether the rows meet it, (rows,).
     """
     single = one_each(record, known)
     rows = rows.among(single[known])
+    of_sea = {name: flags[single] for name, flags in sea.items()}
+    also = np.all([np.ones(len(rows.found), bool), *of_sea.values()], axis=0)
     modes = []
     for mode, needed in MODES.items():
         of_mode = [k for k, limit in enumerate(limits) if limit.mode in needed]
         if not any(limits[k].mode == mode for k in of_mode):
             continue
-        workable, worst, best = (
-            np.asarray(flags[:, of_mode].all(axis=1)) & also[single]
-            for flags in (rows.found, rows.worst, rows.best)
+        riser, worst, best = (
+            np.asarray(flags[:, of_mode].all(axis=1)) for flags in (rows.found, rows.worst, rows.best)
         )
-        hours = hours_of(record, known, single, workable)
-        modes.append(OfMode(mode, hours, float(worst.mean()), float(best.mean())))
+        hours = hours_of(record, known, single, riser & also)._replace(lost=lost_by(of_sea, riser))
+        modes.append(OfMode(mode, hours, float((worst & also).mean()), float((best & also).mean())))
     lost = np.asarray(np.isnan(rows.demand).any(axis=1))
-    return RiserHours(modes, _by_limit(rows, limits, error, lost), float(lost.mean()))
+    return RiserHours(modes, _by_limit(rows, limits, error, lost, also), float(lost.mean()))
 
 
-def _by_limit(rows: Met, limits: Sequence[Limit], error: FloatArray, lost: Flags) -> Table:
-    """Share of rows in which each limit is exceeded, and in which only this limit of its mode is."""
+def _by_limit(rows: Met, limits: Sequence[Limit], error: FloatArray, lost: Flags, also: Flags) -> Table:
+    """Share of rows in which each limit is exceeded, and in which only this limit of its mode is.
+
+    ``lost``, ``also``: (rows,) rows without a response, and rows that meet all limits on the sea.
+    """
     exceeded = ~rows.found & ~lost[:, None]
     table: list[list[Cell]] = []
     for k, (limit, name) in enumerate(zip(limits, labels(limits), strict=True)):
         among = [n for n, other in enumerate(limits) if other.mode in MODES[limit.mode]]
-        alone = exceeded[:, k] & (exceeded[:, among].sum(axis=1) == 1)
+        alone = exceeded[:, k] & (exceeded[:, among].sum(axis=1) == 1) & also
         sided = np.nanmin if limit.side == "smallest" else np.nanmax
         table.append(
             [
