@@ -273,7 +273,7 @@ def test_offsets_of_an_angle_on_a_mesh_of_the_scene_are_true_or_not_told(seed, e
     found = offsets(file_of(coarse, limits=LIMITS[:2]).resolved(), 60.0, {})
     for k, one in enumerate(found):
         if one.missing:
-            assert "error of the angle" in one.missing
+            assert "flex joint angle" in one.missing
         for end in one[:2]:
             if math.isfinite(end):
                 assert uses(put(file_of(rig(seed), limits=LIMITS[:2]), end))[k] < 1.06

@@ -11,7 +11,7 @@ from riserstudy.report.audit import ERRORS, NO_REASON, audit, missed, relevant_e
 from riserstudy.report.formats import counted
 from riserstudy.scene.quantities import QUANTITIES
 
-COLUMNS = ["error_displacement", "error_moment", "error_tension", "error_angle"]
+COLUMNS = ["error_displacement", "error_moment", "error_tension", "error_ufj_angle", "error_lfj_angle"]
 OTHERS = [f"error_{name}" for name in ERRORS if f"error_{name}" not in COLUMNS]
 TABLES = f"""
 create table parameters (point, path, value);
@@ -33,8 +33,8 @@ insert into numbers_and_claims values
     "keep, errors",
     [
         (None, [*ERRORS]),
-        (["x", "ufj_angle"], ["displacement", "angle"]),
-        (["lfj_angle_max"], ["angle"]),
+        (["x", "ufj_angle"], ["displacement", "ufj_angle"]),
+        (["lfj_angle_max"], ["lfj_angle"]),
         (["bending_moment_max"], ["moment"]),
         (["x", "effective_tension"], ["displacement", "tension"]),
         (["largest_stress"], ["moment", "tension"]),
@@ -57,8 +57,8 @@ def database(rows):
             "insert into studies values (?, 'paper', ?, '', '{}', 'wide', null)", (f"paper/{name}", name)
         )
         db.execute(
-            f"insert into points values (?, ?, '', ?, ?, ?, ?, '', 1, 0, ''{', null' * len(OTHERS)})",
-            (point, f"paper/{name}", *errors, *[None] * (4 - len(errors))),
+            f"insert into points values (?, ?, ''{', ?' * 5}, '', 1, 0, ''{', null' * len(OTHERS)})",
+            (point, f"paper/{name}", *errors, *[None] * (len(COLUMNS) - len(errors))),
         )
         if fixed:
             db.execute("insert into parameters values (?, 'analysis.mesh.elements', 9)", (point,))
@@ -103,14 +103,18 @@ def test_an_error_of_a_stored_angle_counts_where_nothing_but_the_mesh_limits_it(
     rows, keeps = [], {}
     for k in range(draw.randint(1, 8)):
         fixed = draw.random() < 0.6
-        keeps[f"s{k}"] = (draw.choice([None, ["x"], ["ufj_angle"], ["x", "lfj_angle_max"]]), None)
+        keeps[f"s{k}"] = (
+            draw.choice([None, ["x"], ["ufj_angle"], ["x", "ufj_angle_max"], ["lfj_angle"]]),
+            None,
+        )
         rows.append(
             (f"s{k}", fixed, None if fixed else 0.05, 0.001, 0.001, 0.001, draw.choice([None, 0.002, 0.3]))
         )
     of = missed(database(rows), kept(**keeps))
-    told = [row for row in rows if row[1] and row[-1] == 0.3 and keeps[row[0]][0] != ["x"]]
+    silent = (["x"], ["lfj_angle"])
+    told = [row for row in rows if row[1] and row[-1] == 0.3 and keeps[row[0]][0] not in silent]
     assert (of.off, of.worst) == (len(told), 0.3 if told else 0.0)
-    assert of.where.endswith("(angle)") == bool(told)
+    assert of.where.endswith("(ufj_angle)") == bool(told)
 
 
 def test_points_that_miss_are_counted_with_their_reason_and_what_rests_on_them():
@@ -228,7 +232,7 @@ def test_a_dataset_is_told_by_the_worst_of_its_points_and_their_sum(seed):
     db.execute("insert into studies values ('paper/runs', 'paper', 'runs', 'a caption', '{}', 'wide', null)")
     points = []
     for point in range(draw.randint(3, 12)):
-        errors = [draw.choice([None, draw.uniform(0.0, 0.02)]) for _ in range(4)]
+        errors = [draw.choice([None, draw.uniform(0.0, 0.02)]) for _ in COLUMNS]
         spent, lost = draw.choice([None, draw.uniform(1.0, 9.0)]), draw.uniform(0.0, 1e-3)
         text, fixed = draw.choice(["", "a warning"]), draw.random() < 0.5
         points.append((errors, spent, lost, text, fixed))
@@ -239,7 +243,7 @@ def test_a_dataset_is_told_by_the_worst_of_its_points_and_their_sum(seed):
             db.execute("insert into parameters values (?, 'analysis.mesh.elements', 9)", (point,))
     (row,) = audit(db, kept(runs=(None, None)))
     assert (row.points, row.about) == (len(points), "a caption")
-    for k, name in enumerate(("displacement", "moment", "tension", "angle")):
+    for k, name in enumerate(("displacement", "moment", "tension", "ufj_angle", "lfj_angle")):
         assert row.errors[name] == max([0.0, *(p[0][k] for p in points if p[0][k] is not None)])
     assert row.energy == max(p[2] for p in points)
     seconds = [p[1] for p in points if p[1] is not None]

@@ -21,6 +21,9 @@ from riserstudy.simulation.run import single
 
 MANY = 1000  # segments of a run, which four times finer would take a minute
 COVERED = 1.5  # true over estimated error, at most: as the other quantities of a long record
+# share of its angle, a twentieth of the requested accuracy: the changes of a joint that hardly moves are
+# smaller, and do not yet decrease with the order of the method
+SMALL = 1e-3
 
 
 def file_of(tree, **more):
@@ -47,7 +50,8 @@ def test_the_estimate_of_a_request_covers_the_true_error(seed, spatial):
         mesh = mesh.halved()
     fine = single(scene, mesh, found.facts["step"] / 2.0**halvings)
     true, told = difference(found, fine), found.facts["error_estimate"]
-    assert true["angle"] <= COVERED * told["angle"]
+    for joint in ANGLES:
+        assert true[joint] <= COVERED * told[joint] + SMALL
 
 
 @pytest.mark.parametrize("spatial", [False, True])
@@ -59,7 +63,8 @@ def test_the_estimate_at_rest_covers_the_true_error(seed, spatial):
     found = refinement.result()
     mesh = refinement.finest_mesh.halved().halved().halved()
     true = difference(found, single(scene, mesh, None))
-    assert true["angle"] <= COVERED * found.facts["error_estimate"]["angle"] + 1e-9
+    for joint in ANGLES:
+        assert true.get(joint, 0.0) <= COVERED * found.facts["error_estimate"].get(joint, 0.0) + 1e-9
 
 
 @pytest.mark.parametrize("interval", [0.5, 40.0], ids=["many outputs", "first and last"])
@@ -73,7 +78,8 @@ def test_the_estimate_on_a_mesh_and_step_of_ones_own_covers_the_true_error(seed,
     fine["analysis"]["step"] /= 4.0
     found = run(file_of(tree).resolved())
     true = difference(found, run(file_of(fine).resolved(), estimated=False))
-    assert true["angle"] <= COVERED * found.facts["error_estimate"]["angle"]
+    for joint in ANGLES:
+        assert true[joint] <= COVERED * found.facts["error_estimate"][joint]
 
 
 @pytest.mark.parametrize("spatial", [False, True])
@@ -88,9 +94,10 @@ def test_angles_converge_with_the_order_of_the_method(spatial):
         runs.append(
             run(file_of(tree | {"analysis": tree["analysis"] | analysis}).resolved(), estimated=False)
         )
-    changes = [difference(coarse, fine)["angle"] for coarse, fine in pairwise(runs)]
-    falls = [before / after for before, after in pairwise(changes)]
-    assert min(falls[1:]) > 3.0  # 4 in the limit
+    for joint in ANGLES:
+        changes = [difference(coarse, fine)[joint] for coarse, fine in pairwise(runs)]
+        falls = [before / after for before, after in pairwise(changes)]
+        assert min(falls[1:]) > 3.0  # 4 in the limit
 
 
 def test_an_error_of_angles_chooses_neither_mesh_nor_step(monkeypatch):
@@ -99,20 +106,20 @@ def test_an_error_of_angles_chooses_neither_mesh_nor_step(monkeypatch):
     plain = run(scene)
 
     def hopeless(coarse, fine):
-        return controlled(difference(coarse, fine)) | {"angle": 3.0}
+        return controlled(difference(coarse, fine)) | dict.fromkeys(ANGLES, 3.0)
 
     monkeypatch.setattr(module, "difference", hopeless)
     found = run(scene)
     steps = [[one[k] for k in ("elements", "step")] for one in found.facts["refinements"]]
     assert steps == [[one[k] for k in ("elements", "step")] for one in plain.facts["refinements"]]
     assert found.facts["warnings"] == plain.facts["warnings"]
-    assert found.facts["error_estimate"]["angle"] > 1.0
+    assert min(found.facts["error_estimate"][joint] for joint in ANGLES) > 1.0
     assert controlled(found.facts["error_estimate"]) == controlled(plain.facts["error_estimate"])
 
 
 def test_how_errors_are_seen_to_fall_is_that_of_the_quantities_that_an_accuracy_bounds():
-    before = Halved({"moment": 0.8, "angle": 9.0}, None)
-    assert Halved({"moment": 0.2, "angle": 9.0}, before).fall == pytest.approx(4.0)
+    before = Halved({"moment": 0.8, "ufj_angle": 9.0}, None)
+    assert Halved({"moment": 0.2, "ufj_angle": 9.0}, before).fall == pytest.approx(4.0)
 
 
 def check_limits_near_angles(facts, file_with, word):
@@ -125,10 +132,10 @@ def check_limits_near_angles(facts, file_with, word):
     """
     rows = {row["output"]: row for row in facts["extremes"] if row["output"] in ANGLES}
     sizes = {name: max(abs(row["largest"]), abs(row["smallest"])) for name, row in rows.items()}
-    share = facts["error_estimate"]["angle"]  # of the true value, which may be larger by as much
-    error = share * max(sizes.values()) / max(1.0 - share, 0.1)
-    assert error > 0.0
     for name, size in sizes.items():
+        share = facts["error_estimate"][name]  # of the true value, which may be larger by as much
+        error = share * size / max(1.0 - share, 0.1)
+        assert error > 0.0
         for margin, verdict in ((-0.5, "exceeded"), (0.5, "not evaluated"), (1.5, "within")):
             largest = f"{max(size + margin * error, 0.5 * size)!r} rad"
             file = file_with({"output": name, "mode": "drilling", "largest": largest})
@@ -146,9 +153,9 @@ def test_an_angle_is_within_its_limit_only_with_its_error(seed):
         return file_of(tree, limits=[limit])
 
     facts = run(file_of(tree).resolved()).facts
-    assert check_limits_near_angles(facts, file_with, "error of the angle")
+    assert check_limits_near_angles(facts, file_with, "flex joint angle")
     file = file_with({"output": "bending_moment", "mode": "drilling", "largest": "1e9 N*m"})
-    poor = facts | {"error_estimate": {"angle": 3.0}}
+    poor = facts | {"error_estimate": dict.fromkeys(ANGLES, 3.0)}
     (row,) = checked(file, file.resolved(), poor)
     assert row.verdict == "within"
 
@@ -166,8 +173,9 @@ def test_an_angle_of_a_riser_that_vibrates_is_within_its_limit_only_with_its_err
     sets = {"analysis": analysis} | ({"current": {"profile": SHEAR}} if shear else {})
     file = read_scene(VIBRATING).with_values(sets, "test")
     result = run(file.resolved())
-    assert result.facts["sampling_error"]["angle"] > 0.0
-    assert result.facts["error_estimate"]["angle"] >= result.facts["sampling_error"]["angle"]
+    for joint in ANGLES:
+        assert result.facts["sampling_error"][joint] > 0.0
+        assert result.facts["error_estimate"][joint] >= result.facts["sampling_error"][joint]
     rows = check_limits_near_angles(
         result.facts, lambda limit: file.with_values({"limits": [limit]}, "test"), "run longer"
     )
@@ -198,7 +206,8 @@ def test_a_string_aside_tells_the_error_of_its_upper_angle():
     for _ in range(4):
         mesh = mesh.halved()
     true = difference(found, single(scene, mesh, None))
-    assert true["angle"] <= COVERED * found.facts["error_estimate"]["angle"]
-    assert true["angle"] > 1e-6
+    for joint in ANGLES:
+        assert true[joint] <= COVERED * found.facts["error_estimate"][joint]
+        assert np.isfinite(found.facts["error_estimate"][joint])
+    assert true["ufj_angle"] > 1e-6
     assert json.dumps(found.facts["error_estimate"])
-    assert np.isfinite(found.facts["error_estimate"]["angle"])

@@ -16,6 +16,7 @@ from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import prescribed
 from riserstudy.records.warning import sentences
 from riserstudy.scene.at_rest import static
+from riserstudy.scene.limits import ANGLES
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation import resolving_mesh
 from riserstudy.simulation.error_estimate import difference
@@ -76,7 +77,7 @@ def test_the_error_at_rest_is_not_underestimated(seed, count):
         tree = moving(seed, spatial=seed % 2 == 1, conductor=seed % 5 == 4)
         of_many_sections(tree, count, random.Random(seed))
         tree["analysis"] = {}
-        check_errors(tree, elements, graded_and_fine, (*QUANTITIES, "shear", "angle"))
+        check_errors(tree, elements, graded_and_fine, (*QUANTITIES, "shear", *ANGLES))
 
 
 @pytest.mark.parametrize("count", [0, 12, 30])

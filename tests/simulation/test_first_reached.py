@@ -62,7 +62,7 @@ def test_a_run_that_ends_before_a_limit_is_reached_is_within_it_and_one_that_end
         assert later["verdict"] == "exceeded"
         if row["verdict"] != "within":  # this near to it an output may be by its own error
             assert row["verdict"] == "not evaluated"
-            named = "the angle" if OUTPUTS[k] == "lfj_angle" else OUTPUTS[k]
+            named = "the lower flex joint angle" if OUTPUTS[k] == "lfj_angle" else OUTPUTS[k]
             assert row["missing"].startswith(f"an error of {named}")
         reached += 1
     assert reached, "no limit of this scene is reached on the way: it tests nothing"

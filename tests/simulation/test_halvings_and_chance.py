@@ -5,7 +5,7 @@ import pytest
 
 from riserstudy.simulation.halved import UNKNOWN_FALL, Halved, enter, error_of
 
-NAMES = ("displacement", "moment", "angle")
+NAMES = ("displacement", "moment", "ufj_angle")
 
 
 def changes(draw, ratio):
@@ -56,9 +56,9 @@ def test_errors_of_mesh_and_step_add_up_and_chance_is_added(seed):
 def test_a_change_within_chance_counts_as_it_is_and_not_by_what_may_remain(seed):
     draw = np.random.default_rng(seed)
     change = {name: float(draw.uniform(0.01, 0.2)) for name in NAMES}
-    floor = {"moment": 1.5 * change["moment"], "angle": 0.5 * change["angle"]}
+    floor = {"moment": 1.5 * change["moment"], "ufj_angle": 0.5 * change["ufj_angle"]}
     plain, now = Halved(change, None), Halved(change, None, floor)
-    assert now.above == {name: plain.error[name] for name in ("displacement", "angle")}
+    assert now.above == {name: plain.error[name] for name in ("displacement", "ufj_angle")}
     assert now.within == {"moment": change["moment"]}
     expected = plain.error | {"moment": change["moment"]}
     assert error_of([now], {}) == pytest.approx(expected)

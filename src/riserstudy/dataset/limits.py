@@ -7,8 +7,9 @@ from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from riserstudy.records.numerals import newtons, percent
+from riserstudy.records.words import listed
 from riserstudy.scene.limit_inputs import lacks, lacks_outputs, times_of_mean
-from riserstudy.scene.limits import ALONG, OF_THE_RISER, SIGNED, UNITS, Limit
+from riserstudy.scene.limits import ALONG, ANGLES, OF_THE_RISER, SIGNED, UNITS, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.pressures import not_in_demand
 from riserstudy.scene.quantities import QUANTITIES
@@ -17,7 +18,8 @@ from riserstudy.scene.riser import Section
 
 #: errors that are estimated, but not limited by a tolerance: by name, as sentences call them
 NOT_LIMITED = {
-    "angle": "angle",
+    "ufj_angle": "upper flex joint angle",
+    "lfj_angle": "lower flex joint angle",
     "shear": "shear force",
     "stroke": "stroke",
     "tensioner_force": "tensioner force",
@@ -25,7 +27,7 @@ NOT_LIMITED = {
     "lift": "lift",
 }
 #: those whose allowable is never zero: an error is also small or large compared with it
-MAGNITUDES = ("angle", "shear")
+MAGNITUDES = (*ANGLES, "shear")
 #: facts of a run with the largest values of which errors are shares, by the name of the error; of other
 #: errors, these are the extremes of their outputs
 SCALES = {"displacement": "largest_displacement", "lift": "lift_max"}
@@ -146,7 +148,7 @@ def _absolute(share: float, outputs: Collection[str], facts: Mapping[str, Any]) 
     itself.
     """
     rows = [row for row in facts.get("extremes", []) if row["output"] in outputs]
-    sides = ("largest", "smallest", "of_whole_run")
+    sides = ("largest", "smallest")
     largest = max((abs(row.get(side, 0.0)) for row in rows for side in sides), default=0.0)
     errors = {name for output in outputs for name in QUANTITIES[output].errors}
     largest = max(largest, *(facts.get(SCALES[name], 0.0) for name in errors if name in SCALES), 0.0)
@@ -210,6 +212,8 @@ def takes(scene: Resolved, limit: Limit) -> str:
         return "from the static state"
     if limit.output == "joint_stroke":
         return "from the joint's length"
+    if limit.output == "tensioner_force" and limit.side == "smallest":
+        return _of_failed(scene)
     if len(scene.riser) == 1 or limit.output not in ALONG:
         return ""
     sections = [section.name for section in sections_of(scene, limit)]
@@ -220,6 +224,21 @@ def takes(scene: Resolved, limit: Limit) -> str:
     if limit.output == "von_mises_stress":
         parts.append("where two sections meet, the larger stress")
     return "; ".join(parts)
+
+
+def _of_failed(scene: Resolved) -> str:
+    """Cylinders that a smallest pull does not apply to, in words, with the time from which on it does not."""
+    rig = scene.top.tensioners
+    if rig is None:
+        return ""
+    words = [f"without failed {_cylinders(rig.failed)}"] if rig.failed else []
+    if rig.failing:
+        words.append(f"{_cylinders(rig.failing.cylinders)} only until {rig.failing.at:g} s")
+    return "; ".join(words)
+
+
+def _cylinders(numbers: Sequence[int]) -> str:
+    return f"cylinder{'s' if len(numbers) > 1 else ''} {listed(map(str, numbers))}"
 
 
 def _times_of_mean(scene: Resolved, limit: Limit) -> str:

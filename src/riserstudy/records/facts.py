@@ -101,7 +101,12 @@ class RunFacts(TypedDict, total=False):
         Column(_ERROR + "displacement", "1", name="error_displacement", part="displacement"),
         Column(_ERROR + "bending moment", "1", name="error_moment", part="moment"),
         Column(_ERROR + "tension", "1", name="error_tension", part="tension"),
-        Column(_ERROR + "flex joint angles" + _NOT_LIMITED, "1", name="error_angle", part="angle"),
+        Column(
+            _ERROR + "upper flex joint angle" + _NOT_LIMITED, "1", name="error_ufj_angle", part="ufj_angle"
+        ),
+        Column(
+            _ERROR + "lower flex joint angle" + _NOT_LIMITED, "1", name="error_lfj_angle", part="lfj_angle"
+        ),
         Column(_ERROR + "shear force" + _NOT_LIMITED, "1", name="error_shear", part="shear"),
         Column(_ERROR + "strokes" + _NOT_LIMITED, "1", name="error_stroke", part="stroke", optional=True),
         Column(
@@ -189,7 +194,8 @@ class RunFacts(TypedDict, total=False):
         _sampling("displacement", "displacement"),
         _sampling("bending moment", "moment"),
         _sampling("tension", "tension"),
-        _sampling("flex joint angles", "angle"),
+        _sampling("upper flex joint angle", "ufj_angle"),
+        _sampling("lower flex joint angle", "lfj_angle"),
         _sampling("strokes", "stroke"),
         _sampling("tensioner forces", "tensioner_force"),
         _sampling("fatigue damage", "damage"),
@@ -197,6 +203,7 @@ class RunFacts(TypedDict, total=False):
 
     statistics: dict[str, Any]  # statistics of a vibration, for runs that are kept for comparisons
 
+    lower_joint_until: float  # s, time at which a disconnect opens the lower flex joint
     directions: int  # number of directions in which the riser can move
     statics_iterations: int
     steps: int

@@ -28,7 +28,8 @@ from riserstudy.study.study_model import StudyModel
 
 TOLERANCE = 0.01  # largest accepted estimated error of a point without a requested accuracy
 ROUNDING = 1e-9  # excess over a tolerance that is rounding
-IN_COLUMNS = ("displacement", "moment", "tension", "angle")  # errors with a column in the report's tables
+#: errors with a column in the report's tables
+IN_COLUMNS = ("displacement", "moment", "tension", "ufj_angle", "lfj_angle")
 #: all estimated errors, as quantities name them
 ERRORS = tuple(dict.fromkeys((*IN_COLUMNS, *(name for of in QUANTITIES.values() for name in of.errors))))
 LARGEST = ("unexplained_energy", "wall_seconds", *(f"error_{name}" for name in ERRORS))

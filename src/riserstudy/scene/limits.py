@@ -17,7 +17,11 @@ UNITS = {name: of.limit_unit for name, of in QUANTITIES.items() if of.limit_unit
 ANGLES = tuple(output for output, unit in UNITS.items() if unit == "rad")
 STROKES = tuple(output for output in UNITS if QUANTITIES[output].errors == ("stroke",))
 #: outputs of one place, or of all cylinders together, whose error is one number: by its key
-OF_ONE_PLACE = {"angle": ANGLES, "stroke": STROKES, "tensioner_force": ("tensioner_force",)}
+OF_ONE_PLACE = {
+    **{angle: (angle,) for angle in ANGLES},
+    "stroke": STROKES,
+    "tensioner_force": ("tensioner_force",),
+}
 #: outputs whose sign is a convention: their limits apply to the magnitude
 SIGNED = tuple(output for output in UNITS if QUANTITIES[output].sign_is_convention)
 #: outputs that have a value at every place along the riser
@@ -53,8 +57,9 @@ class Limit(Strict):
     of``, followed by the name). For a group of consecutive sections, give the names of the lowest and the
     highest section (``[lowest, highest]``). By default, a limit applies to the whole riser. For tension and
     stress, the whole riser does not include the stack and the conductor below the flex joint. A disconnect
-    opens the lower flex joint, so a limit on the angle of this joint applies only until the disconnect. The
-    allowable value can have an origin, like any other value of a scene.
+    opens the lower flex joint, so a limit on the angle of this joint applies only until the disconnect. A
+    smallest allowed ``tensioner_force`` does not apply to cylinders that have failed. The allowable value can
+    have an origin, like any other value of a scene.
     """
 
     output: str

@@ -203,7 +203,7 @@ QUANTITIES: dict[str, Quantity] = {
         _has_upper_angle,
         "rad",
         sign_is_convention=True,
-        errors=("angle",),
+        errors=("ufj_angle",),
     ),
     "lfj_angle": Quantity(
         "load or motion across, and a held lower end or a riser.flex_joint_below",
@@ -211,7 +211,7 @@ QUANTITIES: dict[str, Quantity] = {
         "rad",
         of_beam=True,
         sign_is_convention=True,
-        errors=("angle",),
+        errors=("lfj_angle",),
     ),
     "stroke": Quantity(
         "motion, and top.tensioners, top.telescopic_joint, or a platform below which top.z is free",

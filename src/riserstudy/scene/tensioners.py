@@ -203,7 +203,8 @@ class Tensioners(Strict):
 
     The key ``mid_stroke`` selects the state of the riser in which all cylinders are at mid-stroke. This state
     is either the unstretched riser, or the equilibrium with the tension that the cylinders have at
-    mid-stroke. In both states, the riser is vertical, in still water, at an offset of zero.
+    mid-stroke. In both states, the riser is vertical, in still water, at an offset of zero, and no cylinder
+    has failed.
 
     Give exactly one law for the pull of a cylinder, by one of the keys ``gas``, ``two_chamber_gas``,
     ``linear``, ``carried`` or ``table``. The key ``linearised`` replaces a gas law by a straight line. The

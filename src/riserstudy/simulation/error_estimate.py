@@ -48,9 +48,10 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
 
     If one run has only every second, fourth, ... output of the other, the common outputs are compared. Angles
     of flex joints, strokes and tensioner forces are compared at rest, over time, and by their extremes over
-    all steps if both runs have these. Shear is compared by its envelopes over all steps and at rest, at the
-    nodes of the coarse run, and by its largest value. After a disconnect, the lift is compared over time, and
-    by its maximum and the clearance. Differences are divided by the largest value anywhere.
+    all steps if both runs have these. The angle of a lower flex joint is compared until a disconnect opens
+    the joint. Shear is compared by its envelopes over all steps and at rest, at the nodes of the coarse run,
+    and by its largest value. After a disconnect, the lift is compared over time, and by its maximum and the
+    clearance. Differences are divided by the largest value anywhere.
     """
     differences = {}
     histories = _histories(coarse.arrays, fine.arrays)
@@ -180,8 +181,13 @@ def _statistics(coarse: Result, fine: Result, name: str) -> Pairs:
     """Statistics of an output of one place in both runs, from the start of the evaluated time on."""
     since = fine.facts["vibration_since"]
     if name in coarse.arrays and name in fine.arrays:
-        low, up = (run.arrays[name][run.arrays["time"] >= since] for run in (coarse, fine))
-        yield np.array([low.mean(), low.std()]), np.array([up.mean(), up.std()])
+        until = _until(fine, name)
+        low, up = (
+            run.arrays[name][(run.arrays["time"] >= since) & (run.arrays["time"] <= until)]
+            for run in (coarse, fine)
+        )
+        if len(low) and len(up):
+            yield np.array([low.mean(), low.std()]), np.array([up.mean(), up.std()])
     yield from _both_extremes(coarse, fine, name)
 
 
@@ -242,15 +248,21 @@ def _values(coarse: Result, fine: Result, name: str) -> Pairs:
     low, up = coarse.arrays, fine.arrays
     if name + "_static" in low and name + "_static" in up:
         yield low[name + "_static"], up[name + "_static"]
-    yield from _over_common_outputs(low, up, name)
+    yield from _over_common_outputs(low, up, name, _until(fine, name))
     yield from _both_extremes(coarse, fine, name)
 
 
-def _over_common_outputs(low: Arrays, up: Arrays, name: str) -> Pairs:
-    """A history in both runs at their common outputs, if both have it."""
+def _until(run: Result, name: str) -> float:
+    """Time (s) until which an output counts: a disconnect ends the angle of a lower flex joint."""
+    return run.facts.get("lower_joint_until", math.inf) if name == "lfj_angle" else math.inf
+
+
+def _over_common_outputs(low: Arrays, up: Arrays, name: str, until: float = math.inf) -> Pairs:
+    """A history in both runs at their common outputs up to a time (s), if both have it."""
     if all(of in run for of in ("time", name) for run in (low, up)):
         every = _every(low, up)
-        yield low[name][:: every[0]], up[name][:: every[1]]
+        count = int((up["time"][:: every[1]] <= until).sum())
+        yield low[name][:: every[0]][:count], up[name][:: every[1]][:count]
 
 
 def _both_extremes(coarse: Result, fine: Result, name: str) -> Pairs:

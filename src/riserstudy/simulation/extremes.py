@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -15,8 +15,10 @@ from riserstudy.scene.limits import ALONG, UNITS
 from riserstudy.scene.quantities import QUANTITIES, wall_lacks
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.section_forces import riser_foot
-from riserstudy.simulation.step_peaks import peaks_of
+from riserstudy.simulation.step_peaks import peaks_of, within
+from riserstudy.simulation.until import LOWER_ANGLE, until_release
 from riserstudy.simulation.wall_stress import nodes_of
+from riserstudy.simulation.working_cylinders import FORCE, smallest_pull
 
 # largest distance of an output from the extreme for its time to be used, as a share of the range
 NEAR = 0.02
@@ -35,8 +37,8 @@ def extremes(
     Means of values along the riser are taken over outputs, and absent if the outputs see few phases of the
     motion. A static run has no times, and its values are also the means. In space, the mean of an angle is
     the magnitude of the mean rotation; in a plane it has a sign. Of cylinders it is the mean of the one with
-    the largest mean. ``histories``: histories along the riser, (time, n + 1), in addition to those in
-    ``arrays``.
+    the largest mean. The smallest pull is that of a cylinder that has not failed. ``histories``: histories
+    along the riser, (time, n + 1), in addition to those in ``arrays``.
     """
     rows = []
     for name in ALONG:
@@ -44,39 +46,39 @@ def extremes(
             if row := _along(scene, name, where, nodes, arrays, histories):
                 rows.append(row)
     for name in OVER_TIME:
-        held = until_release(scene, name, arrays)
-        if row := _over_time(name, held):
-            row |= _seen_by_steps(scene, mesh, name, arrays, _peaks(scene, name, of))
+        if row := _over_time(name, until_release(scene, name, arrays)):
+            row |= _seen_by_steps(scene, mesh, name, arrays, of.peaks)
             row |= _mean_over_time(scene, name, arrays, of)
-            if held is not arrays:  # an estimated error is relative to this value
-                row["of_whole_run"] = float(abs(arrays[name]).max())
+            row |= smallest_pull(scene, arrays, of.steps) if name == FORCE else {}
             rows.append(row)
     return rows
 
 
-def until_release(scene: Resolved, name: str, values: Arrays) -> Arrays:
-    """Values over time, among them those of an output; the angle of a lower flex joint ends with its release.
-
-    After it the riser's end is free, and its direction is the angle of no joint.
-    """
-    if name != "lfj_angle" or name not in values or "time" not in values:
-        return values
-    count = int((values["time"] <= scene.lower_joint_until).sum())
-    if count == len(values["time"]):
-        return values
-    return {**values, "time": values["time"][:count], name: values[name][:count]}
-
-
-def _peaks(scene: Resolved, name: str, of: Seen) -> Mapping[str, Peak]:
-    """Peaks over all steps, those of the angle of a lower flex joint until its release."""
-    if name not in of.steps:
-        return of.peaks
-    held = until_release(scene, name, of.steps)
+def peaks_until_release(scene: Resolved, of: Seen) -> dict[str, Peak]:
+    """Peaks over all steps; those of the angle of a lower flex joint end with its release."""
+    times = of.steps["time"]
+    series = {name: values for name, values in of.steps.items() if name != "time"}
+    held = until_release(scene, LOWER_ANGLE, of.steps)
     if held is of.steps:
-        return of.peaks
-    count = len(held["time"])
-    vectors = {name: of.rotations[name][:count]} if name in of.rotations else {}
-    return {**of.peaks, **peaks_of(held["time"], {name: held[name]}, vectors)}
+        return peaks_of(times, series, of.rotations)
+    angle = {LOWER_ANGLE: held[LOWER_ANGLE]}
+    vectors = {name: of.rotations[name][: len(held["time"])] for name in angle if name in of.rotations}
+    del series[LOWER_ANGLE]
+    return peaks_of(times, series, of.rotations) | peaks_of(held["time"], angle, vectors)
+
+
+def within_peaks(scene: Resolved, histories: Arrays, of: Seen, sizes: Collection[str]) -> Arrays:
+    """Histories at the outputs, limited to the peaks over all steps; arguments as of `step_peaks.within`.
+
+    An angle that ends with the release of its joint is limited until then.
+    """
+    limited = within(histories, of.peaks, sizes)
+    held = until_release(scene, LOWER_ANGLE, histories)
+    if held is not histories and LOWER_ANGLE in limited:
+        count = len(held["time"])
+        parts = limited[LOWER_ANGLE][:count], histories[LOWER_ANGLE][count:]
+        limited[LOWER_ANGLE] = np.concatenate(parts)
+    return limited
 
 
 def _seen_by_steps(

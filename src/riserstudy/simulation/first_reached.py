@@ -15,7 +15,9 @@ from riserstudy.records.arrays import Arrays, FloatArray
 from riserstudy.scene.limits import ALONG, SIGNED, Limit
 from riserstudy.scene.pressures import not_in_demand
 from riserstudy.scene.resolve import Resolved
-from riserstudy.simulation.extremes import places, until_release
+from riserstudy.simulation.extremes import places
+from riserstudy.simulation.until import until_release
+from riserstudy.simulation.working_cylinders import FORCE, of_working
 
 NEVER, UNKNOWN = "never", "unknown"
 LEAST = 3  # smallest number of outputs for a curvature
@@ -95,6 +97,8 @@ def _demand(
         if not set(wanted) <= set(at):
             return None
         values = np.concatenate([values[:, at[place]] for place in wanted], axis=1)
+    if name == FORCE and limit.side == "smallest":
+        values = of_working(scene, arrays["time"], values)
     if limit.side == "smallest":
         return np.asarray(values.min(axis=1))
     return np.asarray((abs(values) if name in SIGNED else values).max(axis=1))

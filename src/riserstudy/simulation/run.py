@@ -5,6 +5,7 @@ The results are arrays in plain dictionaries; `dataset.label` labels them.
 
 from __future__ import annotations
 
+import math
 import time as clock
 from typing import TYPE_CHECKING
 
@@ -25,14 +26,14 @@ from riserstudy.simulation.coupling import Sides, march_in_turns, sides_of
 from riserstudy.simulation.disconnect import enter_lift, rows_of_limits
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.events import march_through
-from riserstudy.simulation.extremes import extremes
+from riserstudy.simulation.extremes import extremes, peaks_until_release, within_peaks
 from riserstudy.simulation.failure import why
 from riserstudy.simulation.first_reached import first_reached
 from riserstudy.simulation.phase_of_drift import lost_phase
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.section_forces import derived, envelopes_of, section_of, shear_of
 from riserstudy.simulation.start import begin
-from riserstudy.simulation.step_peaks import peaks_of, room_for_steps, steps_of, within
+from riserstudy.simulation.step_peaks import room_for_steps, steps_of
 from riserstudy.simulation.time_limit import Watch, share
 from riserstudy.simulation.time_stepping import method_of, steps_in
 from riserstudy.solve.evaluate import energies
@@ -130,6 +131,8 @@ def _facts_at_rest(scene: Resolved, mesh: Mesh, rest: Rest) -> RunFacts:
     }
     if scene.vessel:
         facts["coupling"] = {"scheme": "as one"}
+    if scene.analysis.duration and math.isfinite(scene.lower_joint_until):
+        facts["lower_joint_until"] = scene.lower_joint_until
     return facts
 
 
@@ -222,7 +225,7 @@ def in_motion(
     seen = _seen(scene, model, mesh, record, rest, judged)
     histories |= envelopes_of(record.value)
     if judged:
-        histories |= within(histories, seen.peaks, ANGLES if len(model.s.dim) == 3 else ())
+        histories |= within_peaks(scene, histories, seen, ANGLES if len(model.s.dim) == 3 else ())
     enter_lift(scene, seen.steps or histories, facts)
     return histories, seen if judged else Seen(peaks=seen.peaks)
 
@@ -268,8 +271,8 @@ def _seen(
     if not every_step:
         return seen
     series = outputs.over_time(scene, model, mesh, every_step, rest)
-    seen.peaks = peaks_of(every_step.time, series, seen.rotations)
     seen.steps = {"time": every_step.time, **series}
+    seen.peaks = peaks_until_release(scene, seen)
     return seen
 
 

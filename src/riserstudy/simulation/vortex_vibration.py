@@ -104,8 +104,11 @@ def enter(scene: Resolved, step: float, arrays: dict[str, FloatArray], facts: Ru
     often = interval <= period / OUTPUTS
     histories = {name: arrays[name][late] for name in FIELDS if name in arrays}
     facts["sampling_error"] = sampling(histories, arrays["s"], time, above, often)
+    joined = late & (arrays["time"] <= scene.lower_joint_until)
     for key, names in OF_ONE_PLACE.items():
-        late_values = [arrays[name][late] for name in names if name in arrays]
+        counts = joined if key == "lfj_angle" else late
+        known = int(counts.sum()) >= FEWEST
+        late_values = [arrays[name][counts] for name in names if name in arrays and known]
         error = sampling_of_one_place(late_values, rounding_of(key, float(arrays["s"][-1])))
         facts["sampling_error"] |= {} if error is None else {key: error}
     if often:

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from riserstudy.records.arrays import FloatArray
+from riserstudy.scene.limits import ANGLES
 from riserstudy.simulation.sampling_error import standard_error
 
 # shortest block, as a share of the vibration's longest period: shorter blocks resolve the periods
@@ -164,7 +165,8 @@ def sampling(
 
 def rounding_of(name: str, length: float) -> float:
     """Displacement, stroke (m) or angle (rad) that may be a rounding error, for a riser of a length (m)."""
-    return {"angle": UPRIGHT, "displacement": NONE * length, "stroke": NONE * length}.get(name, 0.0)
+    lengths = {"displacement": NONE * length, "stroke": NONE * length}
+    return UPRIGHT if name in ANGLES else lengths.get(name, 0.0)
 
 
 def sampling_of_one_place(histories: list[FloatArray], zero: float) -> float | None:
