@@ -149,6 +149,21 @@ def test_of_three_headings_rows_have_the_nearest(record):
     assert (plain.sum(axis=0) == 1.0).all()
 
 
+@pytest.mark.parametrize("sectors", [2, 3])
+@pytest.mark.parametrize("seed", range(6))
+def test_rows_half_way_between_few_headings_are_shared_equally(sectors, seed):
+    """Bearings in whole degrees: turned by some headings, the same rows are so many headings on."""
+    draw = np.random.default_rng(seed)
+    bearings = np.arange(0.0, 360.0, draw.choice([5.0, 10.0, 30.0]))
+    one = xr.Dataset({FROM: ("time", draw.permutation(bearings))})
+    x_towards = math.radians(float(draw.choice(bearings)))
+    plain = weights(Directions(sectors, x_towards), one)
+    assert len(set(plain.sum(axis=1))) == 1
+    for steps in (-4, 1, 2, 7):
+        on = weights(Directions(sectors, x_towards + steps * 2.0 * math.pi / sectors), one)
+        np.testing.assert_array_equal(np.roll(plain, steps, axis=0), on)
+
+
 @pytest.mark.long
 def test_each_row_has_the_response_to_its_own_heading(file, record):
     """Against runs of every row in waves of its heading."""

@@ -7,7 +7,7 @@ from test_record_traps import written
 
 from riserstudy.scene.limits import Limit
 from riserstudy.seas.hours import hours, sea_limit
-from riserstudy.seas.record import gaps, read_record
+from riserstudy.seas.record import gaps, read_record, write_record
 from riserstudy.seas.riser_hours import Response, met, riser_hours
 
 CALM = [sea_limit("hs <= 2.2 m")]
@@ -84,3 +84,20 @@ def test_a_clock_that_is_set_by_any_part_of_an_interval_ends_no_window(tmp_path,
     found = hours(record, CALM)
     assert (found.of_windows(200.0).number, found.share) == (1, 1.0)
     assert found.rows >= len(times) - 1
+
+
+@pytest.mark.parametrize("minutes", [1, 7, 10, 15, 20, 35, 50])
+def test_times_of_any_minutes_come_back_exactly_from_a_file(tmp_path, minutes):
+    """Hours as floating-point numbers do not hold a third of an hour."""
+    draw = np.random.default_rng(minutes)
+    times = pd.date_range("2003-11-30 00:03", periods=3000, freq=f"{minutes}min")[draw.random(3000) < 0.99]
+    record = read_record(written(tmp_path, {"hs (m)": 2.0 + np.sin(np.arange(len(times)))}, times=times))
+    write_record(record, tmp_path / "sea.nc")
+    back = read_record(tmp_path / "sea.nc")
+    assert (
+        back["time"].values.astype("datetime64[ns]").tolist()
+        == times.to_numpy().astype("datetime64[ns]").tolist()
+    )
+    assert back.attrs["interval_hours"] == record.attrs["interval_hours"]
+    one, other = hours(record, CALM), hours(back, CALM)
+    np.testing.assert_equal(statistics(other), statistics(one))

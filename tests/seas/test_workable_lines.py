@@ -61,3 +61,20 @@ def test_without_a_band_nothing_is_inside_or_outside_of_it(capsys, years):
         said = capsys.readouterr().out.strip()
         assert said.endswith("side") == known
         assert ("no band" in said) != known
+
+
+@pytest.mark.parametrize("minutes", [10, 20, 30, 60])
+def test_waits_are_printed_in_parts_of_an_hour(capsys, minutes):
+    """To a tenth of an hour, also where rows are minutes apart."""
+    draw = np.random.default_rng(minutes)
+    time = np.datetime64("2000-01-01", "ns") + np.arange(9000) * np.timedelta64(minutes, "m")
+    height = 2.0 + np.sin(np.arange(9000) / draw.uniform(1.0, 4.0))
+    sea = xr.Dataset({"significant_wave_height": ("time", height)}, {"time": time})
+    sea.attrs["interval_hours"] = minutes / 60.0
+    found = hours(sea, [sea_limit("hs <= 1.8 m")])
+    show_hours(found, [minutes / 30.0], Ahead(10, 0.66))
+    (line,) = [line for line in capsys.readouterr().out.splitlines() if line.startswith("  all ")]
+    mean, p50, p90 = (float(cell) for cell in line.split()[1:4])
+    (_, of), *_ = found.of_waits(minutes / 30.0)
+    assert [mean, p50, p90] == pytest.approx([of.mean, of.p50, of.p90], abs=0.051)
+    assert of.p90 > 0.0

@@ -61,7 +61,7 @@ def show_hours(found: Hours, lengths: list[float], ahead: Ahead, indent: str = "
         print(f"{indent}  wait (h)   mean    50 %    90 %   open")
         for name, one in found.of_waits(length):
             mean = "–" if math.isnan(one.mean) else f"{one.mean:.1f}"
-            p50, p90 = ("–" if math.isnan(p) else f"{p:.0f}" for p in (one.p50, one.p90))
+            p50, p90 = ("–" if math.isnan(p) else f"{p:.1f}".removesuffix(".0") for p in (one.p50, one.p90))
             print(f"{indent}  {name:8} {mean:>6}  {p50:>6}  {p90:>6}  {one.open:5d}")
 
 

@@ -79,7 +79,8 @@ class Directions(NamedTuple):
         known = np.isfinite(place)
         place = np.where(known, place, 0.0)
         if not self.interpolated:
-            place = np.round(place)
+            # half-way between two headings, the following one, so that no heading has more ties than others
+            place = np.floor(place + 0.5 + CLOSE)
         nearest = np.round(place)
         place = np.where(np.abs(place - nearest) <= CLOSE, nearest, place)
         lower = np.floor(place)

@@ -100,7 +100,7 @@ def write_record(record: xr.Dataset, target: Path) -> None:
     encoding: dict[str, dict[str, Any]] = {
         str(name): {"zlib": True, "complevel": 3} for name in record.data_vars
     }
-    encoding["time"] = {"units": "hours since 1970-01-01", "dtype": "float64"}
+    encoding["time"] = {"units": "seconds since 1970-01-01", "dtype": "float64"}
     write_netcdf(record, target, encoding)
 
 
