@@ -103,3 +103,19 @@ def test_at_rest_the_smallest_pull_is_that_of_a_cylinder_that_works(seed):
     pulls = result.arrays["tensioner_force_static"]
     (row,) = (row for row in result.facts["extremes"] if row["output"] == "tensioner_force")
     assert row["smallest"] == np.delete(pulls, gone).min() > 0.0
+
+
+@pytest.mark.parametrize("late", [False, True], ids=["from the start", "during the run"])
+@pytest.mark.parametrize("seed", range(4))
+def test_a_failed_cylinder_is_no_error_of_the_pulls(seed, late):
+    """The estimated error of pulls is far below a pull, so that a limit with a margin is evaluated."""
+    tree, gone, going, at = failing_rig(seed, seed % 2 == 1, late)
+    plain = run(SceneFile("rig.yaml", written(tree)).resolved(), estimated=False)
+    least = smallest_by_hand(plain, gone, going, at)
+    limit = {"output": "tensioner_force", "smallest": f"{0.5 * least!r} N", "mode": "connected"}
+    file = SceneFile("rig.yaml", written(tree) | {"limits": [limit]})
+    facts = run(file.resolved()).facts
+    own = {"tensioner_force": facts["error_estimate"].get("tensioner_force", 0.0)}
+    assert own["tensioner_force"] < 0.3
+    (one,) = checked(file, file.resolved(), facts | {"error_estimate": own})
+    assert one.verdict == "within"

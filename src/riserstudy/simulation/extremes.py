@@ -49,30 +49,34 @@ def extremes(
         if row := _over_time(name, until_release(scene, name, arrays)):
             row |= _seen_by_steps(scene, mesh, name, arrays, of.peaks)
             row |= _mean_over_time(scene, name, arrays, of)
-            row |= smallest_pull(scene, arrays, of.steps) if name == FORCE else {}
+            if name == FORCE and name not in of.peaks:
+                row |= smallest_pull(scene, arrays, {})
             rows.append(row)
     return rows
 
 
-def peaks_until_release(scene: Resolved, of: Seen) -> dict[str, Peak]:
-    """Peaks over all steps; those of the angle of a lower flex joint end with its release."""
-    times = of.steps["time"]
-    series = {name: values for name, values in of.steps.items() if name != "time"}
+def peaks_that_count(scene: Resolved, of: Seen) -> dict[str, Peak]:
+    """Peaks over all steps: of the angle of a lower flex joint until its release, of cylinders that work."""
+    peaks = peaks_of(of.steps["time"], {k: v for k, v in of.steps.items() if k != "time"}, of.rotations)
+    if FORCE in peaks:
+        peaks[FORCE] = peaks[FORCE]._replace(**smallest_pull(scene, {}, of.steps))
     held = until_release(scene, LOWER_ANGLE, of.steps)
     if held is of.steps:
-        return peaks_of(times, series, of.rotations)
+        return peaks
     angle = {LOWER_ANGLE: held[LOWER_ANGLE]}
     vectors = {name: of.rotations[name][: len(held["time"])] for name in angle if name in of.rotations}
-    del series[LOWER_ANGLE]
-    return peaks_of(times, series, of.rotations) | peaks_of(held["time"], angle, vectors)
+    return peaks | peaks_of(held["time"], angle, vectors)
 
 
 def within_peaks(scene: Resolved, histories: Arrays, of: Seen, sizes: Collection[str]) -> Arrays:
     """Histories at the outputs, limited to the peaks over all steps; arguments as of `step_peaks.within`.
 
-    An angle that ends with the release of its joint is limited until then.
+    An angle that ends with the release of its joint is limited until then. A cylinder may fail to zero.
     """
-    limited = within(histories, of.peaks, sizes)
+    peaks = dict(of.peaks)
+    if FORCE in peaks and smallest_pull(scene, {}, of.steps):
+        peaks[FORCE] = peaks[FORCE]._replace(smallest=min(peaks[FORCE].smallest, 0.0))
+    limited = within(histories, peaks, sizes)
     held = until_release(scene, LOWER_ANGLE, histories)
     if held is not histories and LOWER_ANGLE in limited:
         count = len(held["time"])

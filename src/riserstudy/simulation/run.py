@@ -26,7 +26,7 @@ from riserstudy.simulation.coupling import Sides, march_in_turns, sides_of
 from riserstudy.simulation.disconnect import enter_lift, rows_of_limits
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.events import march_through
-from riserstudy.simulation.extremes import extremes, peaks_until_release, within_peaks
+from riserstudy.simulation.extremes import extremes, peaks_that_count, within_peaks
 from riserstudy.simulation.failure import why
 from riserstudy.simulation.first_reached import first_reached
 from riserstudy.simulation.phase_of_drift import lost_phase
@@ -272,7 +272,7 @@ def _seen(
         return seen
     series = outputs.over_time(scene, model, mesh, every_step, rest)
     seen.steps = {"time": every_step.time, **series}
-    seen.peaks = peaks_until_release(scene, seen)
+    seen.peaks = peaks_that_count(scene, seen)
     return seen
 
 
