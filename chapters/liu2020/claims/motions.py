@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import xarray as xr
 
+from chapters.liu2020.below_ring import largest_moment
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import below
 from riserstudy.grading.word_of_size import Word
@@ -12,7 +13,7 @@ from riserstudy.grading.yardstick import alike
 
 def same_influence(motions: xr.Dataset, one: str, other: str, same: Word) -> Found:
     """Two motions bend the riser equally; value: ratio of the first largest moment to the second."""
-    moment = motions["largest_bending_moment"]
+    moment = largest_moment(motions)
     first, second = (moment.sel(motion=name, drop=True) for name in (one, other))
     return judged(first / second, alike(first, second, same))
 

@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 from scipy.signal import welch
 
-from chapters.liu2020.below_ring import RING, at_depths, first_at, on_riser, ring_of
+from chapters.liu2020.below_ring import RING, at_depths, first_at, largest_moment, on_riser, ring_of
 from chapters.liu2020.periods import beats, first_harmonic, half_swing, settling
 from riserstudy.dataset.describe import described, sampled, scenes_of
 from riserstudy.model.rao import operator
@@ -19,6 +19,7 @@ PAPER = "liu2020"
 SURGE_PERIOD = 15.0  # s
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
 PERIODS = np.arange(5.0, 30.01, 0.1)  # s, of the plotted responses, as in Figs 21 and 22
+OF_RISER = "largest magnitude of the bending moment of the riser, below the ring"
 ARRIVED = 0.05  # share of the largest displacement at a depth at which motion there begins
 
 
@@ -142,7 +143,7 @@ def roll(roll_runs: xr.Dataset, roll_small: xr.Dataset) -> xr.Dataset:
     both = [
         xr.Dataset(
             {
-                "largest_bending_moment": runs["largest_bending_moment"],
+                "largest_bending_moment": largest_moment(runs),
                 "settling": beats(runs["bending_moment"].isel(s=-1, drop=True), "roll_period"),
             }
         ).reset_coords(drop=True)
@@ -153,6 +154,7 @@ def roll(roll_runs: xr.Dataset, roll_small: xr.Dataset) -> xr.Dataset:
         PAPER,
         "largest bending moment under roll, centre of rotation calibrated",
     )
+    made["largest_bending_moment"].attrs["long_name"] = OF_RISER
     made["settling"].attrs["long_name"] = (
         "largest change of the moment amplitude at the ring between successive periods, "
         "divided by the largest amplitude"
@@ -191,9 +193,10 @@ def _rolled(runs: xr.Dataset, title: str) -> xr.Dataset:
     """Largest moment along the riser, and its settling: in steady state both extremes are equal in size."""
     high = runs["bending_moment_max"].max("s_node")
     low = runs["bending_moment_min"].min("s_node")
-    largest = runs["largest_bending_moment"]
-    dataset = xr.Dataset({"largest_bending_moment": largest, "settling": abs(high + low) / (high - low)})
+    settled = abs(high + low) / (high - low)
+    dataset = xr.Dataset({"largest_bending_moment": largest_moment(runs), "settling": settled})
     made = described(dataset.assign(sampled(runs)), PAPER, title)
+    made["largest_bending_moment"].attrs["long_name"] = OF_RISER
     made["settling"].attrs["long_name"] = (
         "difference of largest and smallest moment, as magnitudes, divided by their sum"
     )

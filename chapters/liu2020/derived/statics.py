@@ -6,7 +6,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from chapters.liu2020.below_ring import on_riser, ring_of
+from chapters.liu2020.below_ring import largest_moment, on_riser, ring_of
 from riserstudy.dataset.describe import described, sampled, scenes_of
 from riserstudy.scene.resolve import Resolved
 
@@ -72,8 +72,7 @@ def _at_rest(runs: xr.Dataset) -> xr.Dataset:
     return xr.Dataset(
         {
             "largest_displacement": abs(on_riser(runs["x_static"], ring, "s_node")).max("s_node"),
-            # the telescopic joint above the ring has a smaller moment than the ring
-            "largest_bending_moment": runs["largest_bending_moment"],
+            "largest_bending_moment": largest_moment(runs),
             "largest_bending_moment_near_ring": near.max("s_node"),
             "horizontal_force": force.squeeze("tensioner_model", drop=True),
         }

@@ -103,6 +103,7 @@ def test_static_extremes_are_those_below_the_ring_of_each_sample(monkeypatch):
             "bending_moment_static": (("sample", "tensioner_model", "s_node"), np.tile(moment, (2, 1, 1))),
             "x_static": (("sample", "tensioner_model", "s_node"), np.tile(x, (2, 1, 1))),
             "largest_bending_moment": (("sample", "tensioner_model"), [[90.0], [90.0]]),
+            "largest_bending_moment_s": (("sample", "tensioner_model"), [[0.0], [0.0]]),
             "assumed_printed_length": ("sample", list(RINGS)),
         },
         {"sample": [0, 1], "tensioner_model": ["gas law"], "s_node": s},
@@ -225,6 +226,7 @@ def test_moments_under_roll_have_settled_where_both_extremes_are_equal(low, sett
             "bending_moment_max": (("roll_period", "s_node"), [[0.0, 5.0, 2.0]]),
             "bending_moment_min": (("roll_period", "s_node"), [[low, -1.0, -2.0]]),
             "largest_bending_moment": ("roll_period", [max(5.0, -low)]),
+            "largest_bending_moment_s": ("roll_period", [400.0]),
         },
         {"roll_period": [10.0]},
     )
