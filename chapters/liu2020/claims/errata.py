@@ -17,12 +17,14 @@ from chapters.liu2020.claims.system import (
     moves_less,
     surges_less,
 )
+from chapters.liu2020.periods import half_swing
 from riserstudy.grading.found import answers
 from riserstudy.grading.verdict import ALMOST_ALWAYS
 from riserstudy.grading.word_of_size import Word
 from riserstudy.records.words import listed
 
 RELAXATION = 0.81318 / np.pi  # s, by Eq. 16 with a damping ratio of 1: at_period divided by pi
+HEAVE_PERIOD = 15.0  # s
 WET = 220.0 / 15.24  # kg/m in water, for a joint of Table 1
 
 
@@ -109,16 +111,14 @@ def varied(variants: xr.Dataset) -> dict[str, Any]:
 
 def heave_compared(heave: xr.Dataset, upright: xr.Dataset) -> dict[str, Any]:
     """Amplitude of the axial force at the bottom (kN), with cylinders in space and with upright cylinders."""
-    upright_force = upright["effective_tension"].isel(s=0)
-    swing = 0.5 * (upright_force.max("time") - upright_force.min("time"))
-    at = heave["axial_force_amplitude"].sel(heave_amplitude=2.0, heave_period=15.0)
+    swing = half_swing(upright["effective_tension"].isel(s=0), HEAVE_PERIOD)
+    at = heave["axial_force_amplitude"].sel(heave_amplitude=2.0, heave_period=HEAVE_PERIOD)
     return {"space": float(at) / 1e3, "upright": float(swing.squeeze()) / 1e3}
 
 
 def left_out(roll: xr.Dataset, heave: xr.Dataset) -> dict[str, Any]:
     """Relative change of roll moment by the pistons' mass, and of axial force under heave by losses."""
-    force = heave["effective_tension"].isel(s=0)
-    swing = force.max("time") - force.min("time")
+    swing = half_swing(heave["effective_tension"].isel(s=0), HEAVE_PERIOD)
     lossless = swing.sel(losses="none")
     changes = {
         name: float(swing.sel(losses=of) / lossless - 1.0)
