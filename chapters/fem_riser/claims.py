@@ -15,6 +15,7 @@ from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below
 from riserstudy.grading.word_of_size import Word
 from riserstudy.grading.yardstick import Condition, all_along, all_of, growing, more
+from riserstudy.records.arrays import FloatArray
 from riserstudy.records.numerals import rounded_up
 
 LUMPED, BEAM = "lumped masses", "Hermite beam"
@@ -70,11 +71,26 @@ def periodic_at_last(motion: xr.Dataset, within: float) -> Found:
 
 
 def settling_time(motion: xr.Dataset, within: float) -> xr.DataArray:
-    """Time (s) after which the average over a wave stays within a share of its last value."""
+    """Time (s) after which the average over a wave stays within a share of its last value.
+
+    Interpolation is linear between the averages; a record with a missing average has no such time.
+    """
     slow = averaged(middle(motion))
-    last = slow.isel(time=-1)
-    away = abs(slow - last) > within * abs(last)
-    time: xr.DataArray = away["time"].where(away).max("time").fillna(0.0)
+    last, times = slow.isel(time=-1), slow["time"].values
+
+    def of(over: FloatArray) -> float:
+        away = np.flatnonzero(over > 0.0)
+        if np.isnan(over).any():
+            return np.nan
+        if not away.size:
+            return 0.0
+        k = int(away[-1])
+        share = over[k] / (over[k] - over[k + 1])
+        return float(times[k] + share * (times[k + 1] - times[k]))
+
+    time: xr.DataArray = xr.apply_ufunc(
+        of, abs(slow - last) - within * abs(last), input_core_dims=[["time"]], vectorize=True
+    )
     return time
 
 
@@ -86,13 +102,18 @@ def middle(motion: xr.Dataset) -> xr.DataArray:
 
 
 def averaged(x: xr.DataArray) -> xr.DataArray:
-    """Mean over the wave period around each time for which the record contains this whole period."""
-    count = round(PERIOD / float(x["time"][1] - x["time"][0]))
+    """Mean over the wave period around each time for which the record contains this whole period.
+
+    The outputs at both ends of the period have half the weight of the others: the mean of a motion that also
+    drifts is its level in the middle of the period.
+    """
+    step = float(x["time"][1] - x["time"][0])
+    count = round(PERIOD / step)
     ends = xr.zeros_like(x.isel(time=slice(count, None)))
-    total = x.cumsum("time")
-    mean = (total.isel(time=slice(count, None)).values - total.isel(time=slice(None, -count)).values) / count
+    total = x.cumulative_integrate("time")
+    gained = total.isel(time=slice(count, None)).values - total.isel(time=slice(None, -count)).values
     times = x["time"].values[count:] - 0.5 * PERIOD
-    return ends.copy(data=mean).assign_coords(time=times)
+    return ends.copy(data=gained / (count * step)).assign_coords(time=times)
 
 
 def at(x: xr.DataArray, time: float) -> xr.DataArray:
@@ -304,7 +325,8 @@ def run_time(own: xr.Dataset) -> dict[str, Any]:
         )
         return times | {"run": words}
     apart = []
-    for runs in (own["x_max"].max("s_node"), own["bending_moment_max"].max("s_node")):
+    moments = [abs(own[f"bending_moment_{side}"]).max("s_node") for side in ("max", "min")]
+    for runs in (own["x_max"].max("s_node"), xr.concat(moments, "side").max("side")):
         short, long = (float(runs.sel(time_step=step)) for step in (finest, float(steps.max())))
         apart.append(abs(long / short - 1.0))
     longer = f"Time steps of {float(steps.max()):g} s change the largest deflection and moment"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -175,7 +176,12 @@ def fig05(settled: xr.Dataset) -> Figure:
     figure = envelopes({"2000 m, tension ratio 1.3, buoyant factor 0.7 (assumed)": settled}, (BLUE,))
     measured = measures(settled.sel(solver=BEAM))
     place = float(measured["deflection_place"])
-    headline(figure, f"Deflection peaks {100.0 * place:.0f} % up the riser, stress and angle near its ends")
+    ends = [float(measured[f"{of}_from_{end}"]) for of in ("stress", "angle") for end in ("bottom", "top")]
+    near = math.ceil(100.0 * max(ends) - 1e-9)
+    headline(
+        figure,
+        f"Deflection peaks {100.0 * place:.0f} % up the riser, stress and angle within {near} % of its ends",
+    )
     return figure
 
 

@@ -223,6 +223,7 @@ def timed(**seconds):
             "solve_seconds": ("time_step", values),
             "x_max": (("time_step", "s_node"), [[0.0, m] for m in moments]),
             "bending_moment_max": (("time_step", "s_node"), [[0.0, 2.0 * m] for m in moments]),
+            "bending_moment_min": (("time_step", "s_node"), [[0.0, -1.0] for m in moments]),
         },
         {"time_step": steps},
     )
