@@ -70,12 +70,16 @@ def reductions_open(open_choices: xr.Dataset) -> xr.Dataset:
     Without tensioner the riser's top follows the platform, x = a, and a is x - X of the same run. Tension
     is k_r x with and without tensioner (Eq. 8): heave and tension therefore have one reduction.
     """
-    rise = open_choices["z"].isel(s=-1, drop=True) - float(open_choices["s"][-1])
+    zero = float(open_choices["s"][-1])
+    rise = open_choices["z"].isel(s=-1, drop=True) - zero
     platform = rise + open_choices["tensioner_stroke"].isel(cylinder=0, drop=True)
+    # outputs miss peaks of the riser's free oscillation, but hardly those of the platform's slow heave
+    ends = [_top(open_choices)[f"z_{end}"] - zero for end in ("max", "min")]
     parts = []
     for amplitude in HEIGHTS.values():
-        held, bare = (x.sel(heave_amplitude=amplitude, drop=True) for x in (rise, platform))
-        parts.append(1.0 - _spread(held) / _spread(bare))
+        held, bare, high, low = (x.sel(heave_amplitude=amplitude, drop=True) for x in (rise, platform, *ends))
+        with_tensioner = _spread(held, high, low)
+        parts.append(1.0 - with_tensioner / _spread(bare, bare.max("time"), bare.min("time")))
     height = xr.DataArray(list(HEIGHTS), dims="height", name="height")
     quantity = xr.DataArray(list(QUANTITIES), dims="quantity", name="quantity")
     table = xr.concat(parts, height).expand_dims(quantity=quantity)
@@ -83,12 +87,14 @@ def reductions_open(open_choices: xr.Dataset) -> xr.Dataset:
     return described(dataset, PAPER, "reduction of the oscillation, for samples of the unspecified inputs")
 
 
-def _spread(history: xr.DataArray) -> xr.DataArray:
-    """Swing, standard deviation and peak of a history, over ``measure``; records end at their own times."""
+def _spread(history: xr.DataArray, high: xr.DataArray, low: xr.DataArray) -> xr.DataArray:
+    """Swing, standard deviation and peak over ``measure``; histories end at their own times.
+
+    ``high``, ``low``: largest and smallest value.
+    """
     measures = xr.DataArray(
         ["peak-to-peak range", "standard deviation", "peak"], dims="measure", name="measure"
     )
-    high, low = history.max("time"), history.min("time")
     return xr.concat([high - low, history.std("time"), high], measures)
 
 
