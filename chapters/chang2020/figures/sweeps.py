@@ -103,7 +103,8 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
     ax.set_ylabel("asymmetry index $S = x_p / x_n$")
     far = index.sel(tensioner_model="gas law").isel(heave_amplitude=-1)
     settled = float(far.sel(reading="steady"))
-    headline(figure, f"The riser rises up to {settled:.2f} times as far as it falls")
+    largest = f"{float(far['heave_amplitude']):g} m"
+    headline(figure, f"At {largest} amplitude, the riser rises {settled:.2f} times as far as it falls")
     ax.set_ylim(bottom=0.85)
     label_ends(ax)
     ax.margins(x=0.03)  # prevents that marks are cut

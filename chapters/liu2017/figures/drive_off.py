@@ -64,9 +64,7 @@ def fig04(driveoff: xr.Dataset) -> Figure:
         panel_title(axes[2 + column], f"speed, {title}")
         axes[2 + column].set_xlabel(TIME)
     later = [_mark_arrivals(ax, driveoff, kind) for ax, kind in zip(axes, SETS, strict=False)]
-    set_title(
-        figure, f"Against the environment the platform reaches the false position {_range(later)} s later"
-    )
+    set_title(figure, _who_arrives_later(later))
     for row in (axes[:2], axes[2:]):
         ends = [end for ax in row for end in ax.get_ylim()]
         for ax in row:
@@ -88,6 +86,8 @@ def _mark_arrivals(ax: Axes, driveoff: xr.Dataset, kind: str) -> float:
     for (heading, label), across in zip(HEADINGS.items(), ("right", "left"), strict=True):
         surge = driveoff["platform_surge"].sel(case=f"{kind}_{heading}")
         times.append(float(first_crossing(surge, 100.0)))
+        if not np.isfinite(times[-1]):
+            continue
         colour = OF_HEADING[label]
         ax.plot([times[-1]], [100.0], "o", color=colour, mec="white", ms=6, zorder=5, label="_")
         ax.annotate(
@@ -96,6 +96,15 @@ def _mark_arrivals(ax: Axes, driveoff: xr.Dataset, kind: str) -> float:
             fontsize="small", color=legible(colour),
         )  # fmt: skip
     return times[1] - times[0]
+
+
+def _who_arrives_later(later: list[float]) -> str:
+    """Title: delays (s) of the platform against the environment; not finite if it never arrives somewhere."""
+    if not np.isfinite(later).all():
+        return "The platform does not reach the false position in every drive-off"
+    if min(later) <= 0.0:
+        return "Against the environment the platform does not always reach the false position later"
+    return f"Against the environment the platform reaches the false position {_range(later)} s later"
 
 
 def _range(values: list[float]) -> str:
@@ -219,16 +228,21 @@ def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
         ax.plot(stress["time"], stress, color=COLOURS[5], label=PIPE)
         ax.plot([deadline], [1.0], "o", color="black", label=f"printed: 12° at {deadline:g} s")
         panel_title(ax, title)
-    run = driveoff.sel(case="ref_0")
-    times = reached(run)
-    first, when = first_limit(times).item(), float(times.min())
-    set_title(figure, f"The {first!s} reaches its limit first, at {when:.0f} s (calibrated)")
+    set_title(figure, _which_is_first(reached(driveoff.sel(case="ref_0"))))
     axes[0].set_ylabel("utilisation of the limit")
     for line in axes[0].lines:
         if line.get_label() == "limit (printed)":
             line.set_label("limit (printed; of the riser assumed)")
     name_limits(figure, axes, PIPE)
     return figure
+
+
+def _which_is_first(times: xr.DataArray) -> str:
+    """Title: the limit that is reached first, and when (s); times are infinite for limits never reached."""
+    first = str(first_limit(times).item())
+    if first in ("none", "unknown"):
+        return "No limit is known to be reached in the drive-off along the environment"
+    return f"The {first} reaches its limit first, at {float(times.min()):.0f} s (calibrated)"
 
 
 def envelope(envelope: xr.Dataset) -> Figure:

@@ -93,10 +93,14 @@ def _limit_in_words(speed_limits: xr.Dataset, name: str) -> str:
 def _slowest_and_fastest(speed_limits: xr.Dataset, names: list[str]) -> str:
     """Title: least and largest speed that the limits allow, and the governing limits."""
     speed = speed_limits["speed_limit"]
-    which = sorted(set(speed_limits["governing_limit"].values.astype(int).ravel().tolist()) - {-1})
-    held = " or ".join(names[k] for k in which)
+    which = set(speed_limits["governing_limit"].values.astype(int).ravel().tolist())
+    held = " or ".join(names[k] for k in sorted(which - {-1}))
     low, high = float(speed.min()), float(speed.max())
-    return f"The {held or 'grid'} limits the speed to between {low:.1f} and {high:.1f} kn"
+    if not held:
+        return f"No limit is reached up to {high:.1f} kn"
+    if -1 in which:  # with some risers, the fastest simulated speed is within all limits
+        return f"The {held} limits the speed to {low:.1f} kn or more"
+    return f"The {held} limits the speed to between {low:.1f} and {high:.1f} kn"
 
 
 def hang_off(tension_limits: xr.Dataset) -> Figure:

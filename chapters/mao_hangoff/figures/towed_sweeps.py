@@ -94,7 +94,8 @@ def fig10(
     change = changes(lmrp_mass, "lmrp_mass", 140.0, 120.0)["displacement"]
     headline(
         figure,
-        f"A lighter LMRP trails {change:.0f} % farther; published: {100.0 * (light / heavy - 1.0):.0f} %",
+        f"A lighter LMRP trails {abs(change):.0f} % {'farther' if change > 0.0 else 'less far'}; "
+        f"published: {100.0 * (light / heavy - 1.0):.0f} % farther",
     )
     return figure
 

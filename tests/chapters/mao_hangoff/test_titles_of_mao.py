@@ -8,6 +8,7 @@ import xarray as xr
 from matplotlib.colors import to_rgb
 
 from chapters.mao_hangoff.figures.colours import OF_INPUT, ordered
+from chapters.mao_hangoff.figures.limits import _slowest_and_fastest
 from chapters.mao_hangoff.figures.towed_sweeps import _where_astern
 from chapters.mao_hangoff.figures.trends import trends
 from chapters.mao_hangoff.runs import STATED
@@ -89,3 +90,19 @@ def test_the_title_of_trends_names_every_input_that_a_result_depends_on_most(see
     assert ("by profile and result" in title) == (len(most) > 1)
     for ax in figure.axes[:3]:
         assert len([line for line in ax.lines if not line.get_label().startswith("_")]) == 2
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_title_of_speeds_gives_no_upper_limit_where_some_risers_reach_none(seed):
+    draw = np.random.default_rng(seed)
+    names = ["joint angle", "clearance", "stress"]
+    governing = draw.choice([[-1.0, 0.0], [0.0, 2.0], [-1.0, -1.0], [1.0, 1.0]][seed % 4], 8)
+    speed = np.where(governing < 0.0, 5.0, draw.uniform(1.0, 4.0, 8))
+    runs = xr.Dataset({"speed_limit": ("riser", speed), "governing_limit": ("riser", governing)})
+    said = _slowest_and_fastest(runs, names)
+    for k, name in enumerate(names):
+        assert (name in said) == (k in governing)
+    bounded = (governing >= 0.0).all()
+    assert ("between" in said) == bounded
+    assert (f"{speed.max():.1f} kn" in said) == (bounded or (governing < 0.0).all())
+    assert "grid" not in said
