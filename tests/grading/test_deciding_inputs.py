@@ -76,6 +76,17 @@ def test_shares_are_told_by_option_and_not_by_number():
     assert found == {"analysis.start": {"equilibrium": 1.0, "unstretched": rest}}
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_options_with_one_number_are_told_by_their_words(seed):
+    draw = np.random.default_rng(seed)
+    options = ["190.2 bar absolute", "190.2 bar gauge"]
+    chosen = draw.permutation(np.repeat(options, 16))
+    true = draw.random(32) < np.where(chosen == options[0], 0.9, 0.3)
+    about = xr.Dataset({"assumed_pressure": ("sample", chosen, {"long_name": "gas.pressure"})})
+    found = shares_by_option(xr.DataArray(true, dims="sample"), about, ["gas.pressure"])
+    assert found == {"gas.pressure": {option: true[chosen == option].mean() for option in options}}
+
+
 def test_shares_of_a_grid_are_told_by_the_labels_of_its_dimensions():
     outcome = xr.DataArray(
         [[True, False], [True, True]],

@@ -133,7 +133,8 @@ def shares_by_option(
 ) -> dict[str, dict[str, float]]:
     """Share of hits of an outcome for each option, by input.
 
-    Inputs with ranges or numbers, instead of named options, are excluded.
+    Inputs with ranges or numbers, instead of named options, are excluded. Options whose numbers are equal,
+    such as a pressure that is absolute or gauge, are named ones.
 
     Parameters
     ----------
@@ -145,7 +146,8 @@ def shares_by_option(
     for name in names:
         values = varied[name][known]
         options = list(dict.fromkeys(str(value) for value in values))
-        if numbers_of(np.array(options)) is None:
+        numbers = numbers_of(np.array(options))
+        if numbers is None or len(set(numbers.tolist())) < len(options):
             shares[name] = {o: float(true[values.astype(str) == o].mean()) for o in options}
     return shares
 
