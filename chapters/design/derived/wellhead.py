@@ -7,6 +7,7 @@ import xarray as xr
 from numpy.typing import NDArray
 
 from riserstudy.dataset.describe import described, sampled
+from riserstudy.dataset.extremes import statistic_of
 from riserstudy.grading.sensitivity import inputs, numbers_of
 from riserstudy.records.arrays import FloatArray
 
@@ -28,10 +29,8 @@ def wellhead_fatigue(wellhead: xr.Dataset, wellhead_mesh: xr.Dataset) -> xr.Data
     ----------
     Saltelli, Chan and Scott, 2000, Sensitivity Analysis: standardised rank regression coefficients.
     """
-    most, coarse, fine = (
-        of["damage_rate"].max(("detail", "wall_angle", "s_node"))
-        for of in (wellhead, wellhead_mesh.isel(mesh=0), wellhead_mesh.isel(mesh=1))
-    )
+    most, of_meshes = _largest(wellhead), _largest(wellhead_mesh)
+    coarse, fine = of_meshes.isel(mesh=0), of_meshes.isel(mesh=1)
     outcome = np.log10(np.maximum(most.values, LEAST))
     given = {n: _columns(v) for n, v in inputs(most, xr.Dataset(sampled(wellhead))).items()}
     given = {name: columns for name, columns in given.items() if columns.shape[1]}
@@ -52,6 +51,17 @@ def wellhead_fatigue(wellhead: xr.Dataset, wellhead_mesh: xr.Dataset) -> xr.Data
     )
     made = made.assign(sampled(wellhead))
     return described(made, PAPER, "fatigue of a conductor, and the inputs that explain it")
+
+
+def _largest(of: xr.Dataset) -> xr.DataArray:
+    """Largest damage (1/year) at the nodes of each run.
+
+    Stored profiles are interpolated to nodes that all runs share, which cuts their peaks off.
+    """
+    most = statistic_of(of, "damage_rate", "max")
+    if most is None:
+        raise TypeError("no statistics of damage_rate")  # every simulated dataset has them
+    return most
 
 
 def _columns(values: NDArray[np.generic]) -> FloatArray:

@@ -20,6 +20,9 @@ def samples(slopes, count=192, seed=0):
     )
     for name, values in ranges.items():
         data[f"assumed_{name}"] = ("sample", values, {"long_name": name})
+    largest = rates.max(axis=(1, 2, 3))[:, None]
+    data["value_of_statistic"] = (("sample", "statistic"), largest)
+    data["statistic"] = ["damage_rate max"]
     data["assumed_d"] = ("sample", np.array(["one", "two", "three"])[option], {"long_name": "d"})
     return data
 
@@ -28,7 +31,7 @@ def explained(data):
     """With a second mesh on which damage of some samples is larger, by up to a tenth."""
     few = data.isel(sample=slice(0, 4))
     larger = xr.DataArray([1.0, 1.02, 1.1, 1.0], dims="sample")
-    finer = few.assign(damage_rate=few["damage_rate"] * larger)
+    finer = few.assign({name: few[name] * larger for name in ("damage_rate", "value_of_statistic")})
     return wellhead_fatigue(data, xr.concat([few, finer], "mesh"))
 
 
