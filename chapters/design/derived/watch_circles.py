@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
@@ -13,6 +15,9 @@ from riserstudy.dataset.describe import described, scenes_of
 from riserstudy.design.drift import Hull, drift
 from riserstudy.design.watch_circles import red_and_yellow, with_flags
 from riserstudy.scene.units import to_si
+
+if TYPE_CHECKING:
+    from riserstudy.design.operability import Offsets
 
 PAPER = "design"
 MODE = "disconnect"
@@ -48,7 +53,7 @@ def watch_circles(
         limits = [limit for limit in scene.limits or [] if limit.mode == MODE]
         of_mode = scene.replaced(limits=limits)
         found = offsets(of_mode, to_si(reach, "m"), allowed(allowances))
-        first_offset.append(np.min([one.high for one in found]))
+        first_offset.append(_first(found))
         way.append(drift(own, force, place["surface_speed"], TIMES).way)
     over = [str(dim) for dim in rests["point_key"].dims]
     shape = rests["point_key"].shape
@@ -61,3 +66,15 @@ def watch_circles(
     made = xr.Dataset({"limit_offset": limit, "disconnect_time": first})
     made = made.assign(red_and_yellow(first, offset, eds_times, preparing))
     return with_flags(described(made, PAPER, "watch circles of a vessel without thrust"))
+
+
+def _first(found: Sequence[Offsets]) -> float:
+    """Offset (m) at which a vessel that drifts from the well reaches the first limit; NaN if not known.
+
+    It is zero if a limit is exceeded above the well, also if it is met further down current.
+    """
+    if any(one.missing for one in found):
+        return math.nan
+    if not all(one.low <= 0.0 <= one.high for one in found):
+        return 0.0
+    return min((one.high for one in found), default=math.inf)

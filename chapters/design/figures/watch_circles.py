@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from riserstudy.design.watch_circles import TOO_LATE
+from riserstudy.design.watch_circles import CIRCLE, NEVER, TOO_LATE, UNKNOWN
 from riserstudy.figures.direct import label_ends, legible
 from riserstudy.figures.style import GREY, headline, legend_below, panel_title, panels
 
@@ -108,16 +108,26 @@ def _plan(ax: Axes, circles: xr.Dataset) -> None:
 
 
 def _answer(circles: xr.Dataset) -> str:
-    """Title: weakest current in which an alarm is too late in any mud, with the middle disconnect time."""
+    """Title: weakest current in which an alarm is too late in any mud, with the middle disconnect time.
+
+    Without any, the smallest red circle in the strongest current, if all circles are known there.
+    """
     eds = float(circles["eds_time"][circles.sizes["eds_time"] // 2])
     at = circles.sel(eds_time=eds)
     labels = []
     for name in ("yellow", "red"):
         late = (at[f"{name}_circle_outcome"] == TOO_LATE).any("mud_weight").values
         if late.any():
-            labels.append(f"{name} alarm is too late from {at['surface_speed'].values[late][0]:g} m/s")
+            since = int(late.argmax())
+            where = "from" if late[since:].all() else "at"
+            labels.append(f"{name} alarm is too late {where} {at['surface_speed'].values[since]:g} m/s")
     if labels:
         return f"With {eds:g} s to disconnect, the {' and the '.join(labels)}"
-    speed = float(at["surface_speed"].max())
-    red = float(at["red_circle_radius"].sel(surface_speed=speed).min())
+    strongest = at.isel(surface_speed=int(at["surface_speed"].values.argmax()))
+    speed, outcomes = float(strongest["surface_speed"]), strongest["red_circle_outcome"]
+    if bool((outcomes == UNKNOWN).any()):
+        return f"With {eds:g} s to disconnect, the red alarm at {speed:g} m/s is not known"
+    if bool((outcomes == NEVER).all()):
+        return f"At {speed:g} m/s, the vessel reaches no limit within an hour"
+    red = float(strongest["red_circle_radius"].where(outcomes == CIRCLE).min())
     return f"With {eds:g} s to disconnect, the red alarm is due within {red:.0f} m at {speed:g} m/s"

@@ -82,7 +82,7 @@ def test_a_vessel_without_drag_reaches_a_limit_by_its_acceleration(force, mass, 
 
     def offsets(of_mode, reach, allowances):
         seen.append((of_mode["limits"], reach, allowances))
-        return [SimpleNamespace(low=-5.0, high=80.0), SimpleNamespace(low=-9.0, high=60.0)]
+        return [operability.Offsets(low=-5.0, high=80.0), operability.Offsets(low=-9.0, high=60.0)]
 
     monkeypatch.setattr(operability, "offsets", offsets)
     rests = xr.Dataset({"point_key": ("surface_speed", ["k"])}, {"surface_speed": [0.0]})
@@ -123,7 +123,7 @@ def test_the_room_of_an_input_is_between_the_nearest_offsets_of_drilling(monkeyp
         near = 40.0 - np.rad2deg(allowances["lfj_angle"]) - np.rad2deg(allowances["ufj_angle"])
         if at.name == "light":
             near = -60.0
-        return [SimpleNamespace(low=-50.0, high=near), SimpleNamespace(low=-30.0, high=70.0)]
+        return [operability.Offsets(low=-50.0, high=near), operability.Offsets(low=-30.0, high=70.0)]
 
     monkeypatch.setattr(operability, "offsets_at", offsets_at)
     settings = {"failed": 1, "weight": 2.0, "reach": "100 m",
@@ -137,7 +137,7 @@ def test_the_room_of_an_input_is_between_the_nearest_offsets_of_drilling(monkeyp
 
 def test_offsets_of_a_limit_that_none_keeps_leave_no_room(monkeypatch):
     monkeypatch.setattr(operability, "AtRest", lambda scene, reach: scene)
-    none = [SimpleNamespace(low=np.nan, high=np.nan), SimpleNamespace(low=-1.0, high=1.0)]
+    none = [operability.Offsets(low=np.nan, high=np.nan), operability.Offsets(low=-1.0, high=1.0)]
     monkeypatch.setattr(operability, "offsets_at", lambda *_: none)
     assert sensitivity._room(RIG, {"reach": "100 m", "allowances": {}}) == 0.0
 
