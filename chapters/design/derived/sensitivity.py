@@ -10,6 +10,7 @@ import xarray as xr
 from chapters.design.derived.operability import allowed
 from chapters.design.derived.tension import window_of
 from riserstudy.dataset.describe import described, scenes_of
+from riserstudy.errors import SimulationError
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.units import to_si
 
@@ -22,6 +23,8 @@ def sensitivity(
     varied: xr.Dataset, settings_varied: dict[str, dict[str, Any]], **settings: Any
 ) -> xr.Dataset:
     """Return the width of the tension window and the range of drilling offsets, one input at a time.
+
+    Raises SimulationError when a limit cannot be evaluated.
 
     Parameters
     ----------
@@ -58,6 +61,8 @@ def _room(scene: Resolved, settings: dict[str, Any]) -> float:
     limits = [limit for limit in scene.limits or [] if limit.mode == MODE]
     reach = to_si(settings["reach"], "m")
     found = offsets_at(AtRest(scene, reach), limits, reach, allowed(settings["allowances"]))
+    if missing := next((one.missing for one in found if one.missing), ""):
+        raise SimulationError(f"range of drilling offsets: not evaluated, because of {missing}")
     if any(math.isnan(one.low) for one in found):
         return 0.0
     return max(min(one.high for one in found) - max(one.low for one in found), 0.0)

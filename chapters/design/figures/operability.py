@@ -61,7 +61,7 @@ def _chart(operability: xr.Dataset, mode: str) -> Figure:
         for limit, name, side, output in mine:
             if not np.isfinite(limits.sel(limit=name)).any():
                 continue
-            governs = bool((limits.sel(limit=name) == envelopes).any())
+            governs = bool(((limits.sel(limit=name) == envelopes) & np.isfinite(envelopes)).any())
             lines = _line(
                 ax,
                 limits.sel(limit=name, mud_weight=mud),
@@ -147,12 +147,15 @@ def _offsets(low: float, high: float) -> str:
     """Words for the offsets (m) between two that the limits set; none where neither side has a limit."""
     if np.isinf(low) and np.isinf(high):
         return ""
-    # Rounded inwards, so that all offsets named are allowed.
     digits = 0 if high - low > 2.0 else 2
-    above = f"{np.ceil(low * 10**digits) / 10**digits:.{digits}f}".replace("-", "−")
-    below = f"{np.floor(high * 10**digits) / 10**digits:.{digits}f}".replace("-", "−")
+    above, below = _inwards(np.ceil, low, digits), _inwards(np.floor, high, digits)
     if np.isinf(low):
         return f"offsets below {below} m"
     if np.isinf(high):
         return f"offsets above {above} m"
     return f"offsets from {above} to {below} m"
+
+
+def _inwards(rounded: np.ufunc, offset: float, digits: int) -> str:
+    """An offset (m), rounded so that all offsets named are allowed; zero has no sign."""
+    return f"{rounded(offset * 10**digits) / 10**digits + 0.0:.{digits}f}".replace("-", "−")

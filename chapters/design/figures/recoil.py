@@ -41,7 +41,7 @@ def recoil_window(recoil_outcome: xr.Dataset, tension_ratio: float) -> Figure:
         ax.set_xticks(range(len(heaves)), [f"{h:g}" for h in heaves])
         setting = one["setting"].values / tension_ratio / 1e6
         ax.set_yticks(range(len(setting)), [f"{t:.2f}" for t in setting])
-        clear = one["clearance_min"].min("phase").transpose("gas_pressure", "heave_amplitude")
+        clear = _smallest(one).transpose("gas_pressure", "heave_amplitude")
         for (row, column), value in np.ndenumerate(clear.values):
             ax.text(column, row, _metres(value), ha="center", va="center", fontsize="x-small")
         panel_title(ax, f"mud density {mud:g} kg/m³; smallest clearance (m)")
@@ -51,6 +51,11 @@ def recoil_window(recoil_outcome: xr.Dataset, tension_ratio: float) -> Figure:
     _key(figure, recoil_outcome["recoil_verdict"])
     headline(figure, _answer(recoil_outcome))
     return figure
+
+
+def _smallest(outcome: xr.Dataset) -> xr.DataArray:
+    """Smallest clearance of all phases (m); an LMRP that never lifts off has none."""
+    return outcome["clearance_min"].fillna(0.0).min("phase")
 
 
 def _metres(clearance: float) -> str:
@@ -162,7 +167,7 @@ def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
     for ax, count in zip(axes, units, strict=True):
         one = recoil_failures_outcome.sel(units=count)
         _cells(ax, one["recoil_verdict"].transpose("gas_pressure", "valve_left_open").values)
-        clear = one["clearance_min"].min("phase").transpose("gas_pressure", "valve_left_open")
+        clear = _smallest(one).transpose("gas_pressure", "valve_left_open")
         for (row, column), value in np.ndenumerate(clear.values):
             ax.text(column, row, _metres(value), ha="center", va="center", fontsize="x-small")
         ax.set_xticks(range(len(left)), [f"{100 * x:g}" for x in left])
