@@ -258,7 +258,7 @@ def _ratios(ax: Axes, accuracy: xr.Dataset) -> None:
     ax.set_yticks(range(len(drawn)), [in_two_lines(scene) for scene in drawn], fontsize="small")
     ax.set_ylim(len(drawn) - 0.4 + (1.0 if without else 0.0), -1.2)  # room for the key and the note
     ax.margins(x=0.2)
-    ax.set_xlabel("time / time of the cheapest single run of equal error")
+    ax.set_xlabel("time / time of the cheapest single run within the tolerance")
     ax.set_title(
         f"(c) time to find mesh and time step for {100 * TOLERANCE:g} %", loc="left", fontsize="small"
     )

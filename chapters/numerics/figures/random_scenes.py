@@ -32,11 +32,14 @@ def random_scenes(random_scenes: xr.Dataset) -> Figure:
 
 
 def answer(of: xr.Dataset) -> str:
-    """Title: number of scenes that meet their tolerance."""
+    """Title: number of scenes that meet their tolerance, and of scenes that are not judged."""
     requested, true = float(of.attrs["requested"]), of["true"].dropna("drawn")
-    met = int((true <= requested).sum())
+    met, left = int((true <= requested).sum()), of.sizes["drawn"] - true.size
+    if not true.size:
+        return f"None of {left} random scenes could be judged"
     many = f"All {met}" if met == true.size else f"{met} of {true.size}"
-    return f"{many} random scenes meet their tolerance"
+    words = f"{many} {'judged ' if left else ''}random scenes meet their tolerance"
+    return f"{words}; {left} {'is' if left == 1 else 'are'} not judged" if left else words
 
 
 def _errors(ax: Axes, of: xr.Dataset) -> None:
