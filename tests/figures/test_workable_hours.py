@@ -57,6 +57,22 @@ def test_every_panel_says_something(shares, waits, title):
         assert (line.get_ydata() <= high).all()
 
 
+@pytest.mark.parametrize("seed", range(20))
+def test_settings_whose_hours_are_not_known_do_not_change_the_title(seed):
+    draw = np.random.default_rng(seed)
+    shares = draw.uniform(0.1, 0.9, 3)
+    known = draw.random(3) < 0.5
+    title = workable_hours(hours(np.where(known, shares, np.nan), 7.0)).get_suptitle()
+    ends = sorted({f"{100.0 * end:.1f} %" for end in shares[known]}, key=lambda word: float(word.split()[0]))
+    words = " to ".join(dict.fromkeys([*ends[:1], *ends[-1:]]))
+    wanted = (
+        f"Drilling is possible in {words} of the hours"
+        if ends
+        else "Workable hours of drilling are not known"
+    )
+    assert title == wanted
+
+
 def test_limits_are_written_as_in_the_field():
     limits = workable_hours(hours((0.0, 0.25, 0.5), 7.0)).axes[2]
     words = " ".join(label.get_text().replace("\n", " ") for label in limits.get_yticklabels())

@@ -140,9 +140,12 @@ def _waits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
 
 
 def _finding(every: list[tuple[str, xr.Dataset]]) -> str:
-    """The finding: share of workable hours in the first mode, and the best setting."""
+    """The finding: smallest and largest known share of workable hours of the settings, in the first mode."""
     mode = str(every[0][1]["riser_mode"].values[0]).capitalize()
     shares = [100.0 * float(one["workable"].isel(riser_mode=0)) for _, one in every]
+    shares = [share for share in shares if np.isfinite(share)]
+    if not shares:
+        return f"Workable hours of {mode.lower()} are not known"
     low, high = f"{min(shares):.1f}", f"{max(shares):.1f}"
     if max(shares) == 0.0:
         return f"{mode} is possible in no hour of the record"
