@@ -11,6 +11,7 @@ import xarray as xr
 from riserstudy.dataset.extremes import largest_size
 from riserstudy.scene.units import to_si
 
+DISTINCT = 5.0  # condition number of fitted motions up to which outputs distinguish them
 SPAN = 35.0  # s, from the mean over a wave around 261 s to the mean around 296 s
 
 
@@ -104,10 +105,20 @@ def without_drift(x: xr.DataArray, period: float) -> xr.DataArray:
 
 
 def _fitting(x: xr.DataArray, period: float, first: int, end: int) -> xr.DataArray:
-    """Rows of the least-squares fit of a constant, a line, a cosine and a sine to the times of x."""
+    """Rows of the least-squares fit of a constant, a line, a cosine and a sine to the times of x.
+
+    The riser also moves at multiples of the wave's frequency. In few outputs, these motions look like motion
+    at the period, unless they are fitted as well.
+    """
     t = x["time"].values
     w = 2.0 * np.pi / period
     basis = np.stack([np.ones_like(t), t - t.mean(), np.cos(w * t), np.sin(w * t)], axis=1)
+    for multiple in (2.0, 3.0):
+        more = np.stack([np.cos(multiple * w * t), np.sin(multiple * w * t)], axis=1)
+        wider = np.concatenate([basis, more], axis=1)
+        # outputs that cannot tell a multiple from the other terms, such as four in a period, leave it out
+        if len(t) > wider.shape[1] and np.linalg.cond(wider / np.linalg.norm(wider, axis=0)) < DISTINCT:
+            basis = wider
     rows = np.linalg.pinv(basis)[first:end]
     return xr.DataArray(rows, dims=("part", "time"), coords={"time": x["time"]})
 
