@@ -73,7 +73,7 @@ def tension_window(tension_window: xr.Dataset, recoil_outcome: xr.Dataset, tensi
             engine = at["setting_floor_engine"].sel(floor=name) / 1e6
             label = "floors by simulation" if name == at["floor"].values[-1] else None
             ax.plot(mud, engine, "o", mfc="none", ms=4, color="black", label=label)
-        ax.plot(mud, ceiling, color="black", label="ceiling: 90 % of the dynamic tension limit")
+        ax.plot(mud, ceiling, color="black", label="ceiling: share of the dynamic tension limit")
         ax.fill_between(
             mud, floor, ceiling, where=ceiling > floor, facecolor="none", edgecolor="0.75",
             hatch="///", lw=0.0, label="window between floors and ceiling",
@@ -108,12 +108,12 @@ def _recoil(ax: Axes, outcome: xr.Dataset, window: xr.Dataset, tension_ratio: fl
     heave = float(calm["heave_amplitude"])
     floor = window["setting_floor"].max("floor").interp(mud_weight=calm["mud_weight"])
     setting, safe = xr.broadcast(calm["setting"] / tension_ratio, calm["recoil_verdict"] == 0)
-    above = setting >= floor
+    below = setting < floor  # not so where no floor is known: for muds outside of the window's
     known = f"disconnect, {heave:g} m heave amplitude"
     faces: dict[str, Any] = {"ms": 6.0, "color": COLOURS[2], "zorder": 2.5}
     for label, where, mark, look in (
-        (f"safe {known}", safe & above, "D", faces),
-        (f"safe {known}, below a floor", safe & ~above, "D", faces | {"mfc": "white"}),
+        (f"safe {known}", safe & ~below, "D", faces),
+        (f"safe {known}, below a floor", safe & below, "D", faces | {"mfc": "white"}),
         (f"failed {known}", ~safe, "x", {"ms": 5.0, "color": GREY}),
     ):
         if bool(where.any()):

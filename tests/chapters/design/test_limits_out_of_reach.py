@@ -7,6 +7,7 @@ import xarray as xr
 from chapters.design.derived import sensitivity
 from chapters.design.figures.operability import operability_connected
 from chapters.design.figures.recoil import recoil_failures, recoil_window
+from chapters.design.figures.tension import tension_window
 from riserstudy.dataset.limits import coordinates
 from riserstudy.design import operability
 from riserstudy.design.envelopes import envelopes
@@ -110,3 +111,45 @@ def test_a_limit_that_is_not_evaluated_is_not_a_window_without_room(monkeypatch)
     scene = type("Scene", (), {"limits": []})()
     with pytest.raises(SimulationError, match="a static equilibrium"):
         sensitivity._room(scene, {"reach": "100 m", "allowances": {}})
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_open_diamonds_are_settings_below_a_known_floor(seed):
+    """Disconnects of muds outside of the window's have no floor to be below."""
+    draw = np.random.default_rng(seed)
+    muds, tested = np.array([1200.0, 1400.0, 1600.0]), np.array([1100.0, 1300.0, 1500.0, 1700.0])
+    over, floors = ("mud_weight", "failed_units"), draw.uniform(2e6, 5e6, (3, 1, 2))
+    window = xr.Dataset(
+        {
+            "setting_floor": ((*over, "floor"), floors),
+            "setting_floor_engine": ((*over, "floor"), floors),
+            "setting_ceiling": (over, np.full((3, 1), 6e6)),
+            "setting_gap": (over, 6e6 - floors.max(axis=2)),
+        },
+        {"mud_weight": muds, "failed_units": [0], "floor": ["minimum tension", "LMRP lift-off"]},
+    )
+    settings, safe = draw.uniform(1e6, 6e6, (4, 3)), draw.random((4, 3)) < 0.7
+    ends = (("heave_amplitude", "mud_weight"), np.full((1, 4), 3e6))
+    outcome = xr.Dataset(
+        {
+            "recoil_minimum": ends,
+            "recoil_maximum": ends,
+            "setting": (("mud_weight", "gas_pressure"), settings),
+            "recoil_verdict": (("heave_amplitude", "mud_weight", "gas_pressure"), (~safe).astype(int)[None]),
+        },
+        {"heave_amplitude": [0.5], "mud_weight": tested, "gas_pressure": [50.0, 60.0, 70.0]},
+    )
+    (ax,) = tension_window(window, outcome, 1.0).axes
+    governs = floors[:, 0].max(axis=1)
+    middle = {1300.0: 0.5 * (governs[0] + governs[1]), 1500.0: 0.5 * (governs[1] + governs[2])}
+    for filled in (True, False):
+        wanted = {
+            (mud, round(one / 1e6, 9))
+            for mud, row, good in zip(tested, settings, safe, strict=True)
+            for one, fine in zip(row, good, strict=True)
+            if fine and (one >= middle.get(mud, 0.0)) == filled
+        }
+        lines = [line for line in ax.lines if line.get_marker() == "D"]
+        lines = [line for line in lines if (line.get_markerfacecolor() != "white") == filled]
+        points = [point for line in lines for point in line.get_xydata().tolist()]
+        assert {(mud, round(one, 9)) for mud, one in points if np.isfinite(one)} == wanted
