@@ -12,6 +12,7 @@ from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.pressures import not_in_tension
 from riserstudy.seas.hours import sea_limit
+from riserstudy.seas.record import read_record, with_peak_period, write_record
 from riserstudy.seas.riser_downtime import riser_downtime
 from riserstudy.seas.riser_hours import excess_of
 from riserstudy.seas.riser_response import RiserResponse
@@ -126,6 +127,18 @@ def test_what_a_record_has_without_effect_and_how_its_periods_were_found_is_told
     made = riser_downtime(file, record, [sea_limit(one) for one in limits], seeds=1, error=0.5, cores=1)
     assert [line for line in made.lines if line.startswith(f"not used: {idle} of the record")]
     assert [line for line in made.lines if "JONSWAP with gamma 2" in line]
+
+
+@pytest.mark.parametrize("gamma, noted", [(2.0, False), (3.3, True), (1.0, True)])
+def test_periods_that_were_converted_for_other_waves_than_the_scene_has_are_noted(tmp_path, gamma, noted):
+    """The scene's waves have a peak enhancement of 2."""
+    record = synthetic(2, 8).isel(time=slice(None, None, 1300))
+    record = record.rename(peak_period="zero_crossing_period")
+    write_record(with_peak_period(record, gamma), tmp_path / "sea.nc")
+    file = load_scene(RISER).with_values(in_a_sea(ONE, (1, 6, 12, 60), 20, "60 s"), "test")
+    made = riser_downtime(file, read_record(tmp_path / "sea.nc"), seeds=1, error=0.5)
+    lines = [line for line in made.lines if f"with a gamma of {gamma:g}; the scene has 2" in line]
+    assert len(lines) == noted
 
 
 @pytest.mark.parametrize("start", [0.0, 3.0, 9.0, 14.0])

@@ -19,6 +19,7 @@ from riserstudy.seas.between_headings import Middle
 from riserstudy.seas.directions import FROM
 from riserstudy.seas.heading_parts import Part
 from riserstudy.seas.mesh_of_seas import has_own_mesh
+from riserstudy.seas.netcdf_record import CONVERTED
 from riserstudy.seas.record import with_peak_period
 from riserstudy.seas.riser_hours import RiserHours
 from riserstudy.seas.sea_states import with_calm_periods
@@ -119,6 +120,8 @@ def _of_headings(
             f"at {count} sea states half-way between headings, the interpolated response differs by up to "
             f"{off:.1%}"
         )
+        if failed := sum(int(np.isnan(one.responses).any(axis=1).sum()) for one in middles):
+            yield f"{failed} of these sea states have no result, and no band includes their error"
     elif directed:
         yield "each row uses the nearest heading; no band includes the effect of headings in between"
 
@@ -146,8 +149,16 @@ def _of_rows(
 
 def _of_record(file: SceneFile, record: xr.Dataset, used: Collection[str]) -> list[str]:
     """How periods of a record were found, and which of its quantities have no effect."""
-    period = with_calm_periods(with_peak_period(record, sea_of(file).peak_enhancement))["peak_period"]
+    gamma = sea_of(file).peak_enhancement
+    period = with_calm_periods(with_peak_period(record, gamma))["peak_period"]
     lines = [f"peak_period: {period.attrs['comment']}"] if "comment" in period.attrs else []
+    converted = period.attrs.get(CONVERTED, gamma)
+    if not math.isclose(converted, gamma, rel_tol=1e-6):
+        lines.append(
+            f"peak_period: converted from zero-upcrossing periods with a gamma of {converted:g}; the scene "
+            f"has {gamma:g}, so the simulated seas have other zero-upcrossing periods than the record; write "
+            f"the record by `riserstudy seas --gamma {gamma:g}`"
+        )
     if idle := [name for name in ("wind_speed", "current_speed") if name in record and name not in used]:
         lines.append(
             f"not used: {' and '.join(idle)} of the record; all rows have the current and wind of the scene"

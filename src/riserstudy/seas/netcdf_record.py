@@ -42,6 +42,8 @@ PARTS = {"wind_speed": (("u10", "v10"), ("uwnd", "vwnd")), "current_speed": (("u
 PEAK_FREQUENCY = "sea_surface_wave_frequency_at_variance_spectral_density_maximum"
 GOES_TO = "sea_surface_wave_to_direction"
 COMES_FROM = "sea_surface_wave_from_direction"
+#: attribute of peak periods that were converted from zero-upcrossing periods with this gamma (1)
+CONVERTED = "peak_enhancement"
 HEIGHT = "significant_wave_height"  # the quantity that every record has
 #: ambiguous names of directions
 UNSURE = ("dir", "thq", "pdir", "dp", "dm", "wave_direction")
@@ -99,7 +101,10 @@ def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
     if unused := _unused(path, data.drop_vars(flags, errors="ignore"), clock):
         notes.append(f"left out: {', '.join(unused)}")
     times = pd.DatetimeIndex(data[clock].values, name="time")
-    return pd.DataFrame(columns, times), "; ".join(notes)
+    frame = pd.DataFrame(columns, times)
+    if CONVERTED in (about := data["peak_period"].attrs if "peak_period" in data else {}):
+        frame.attrs[CONVERTED] = float(about[CONVERTED])
+    return frame, "; ".join(notes)
 
 
 def _refuse_several(path: Path, data: xr.Dataset, clock: str) -> None:

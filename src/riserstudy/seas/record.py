@@ -19,7 +19,7 @@ from riserstudy.errors import InputError
 from riserstudy.inputs.text import read_text
 from riserstudy.scene.units import to_si
 from riserstudy.seas.columns import COLUMNS, UNSURE_HEIGHT, Head, check_fills, head, labels_of
-from riserstudy.seas.netcdf_record import Place, read_netcdf
+from riserstudy.seas.netcdf_record import CONVERTED, Place, read_netcdf
 from riserstudy.seas.zones import check_zone_of_table
 from riserstudy.study.spacing import FURTHER, check_spacing
 
@@ -79,6 +79,8 @@ def read_record(path: Path, near: Place | None = None) -> xr.Dataset:
     for one in COLUMNS:
         if one.name in record:
             record[one.name].attrs = labels_of(one)
+    if CONVERTED in frame.attrs:
+        record["peak_period"].attrs[CONVERTED] = frame.attrs[CONVERTED]
     record["time"].attrs = {"long_name": "time, UTC", "standard_name": "time"}
     record.attrs = {
         "Conventions": "CF-1.11",
@@ -175,6 +177,7 @@ def with_peak_period(record: xr.Dataset, gamma: float) -> xr.Dataset:
         "units": "s",
         "long_name": "peak period",
         "comment": f"zero-upcrossing period over {ratio:.4f}, JONSWAP with gamma {gamma:g}",
+        CONVERTED: gamma,
     }
     return record.assign(peak_period=period)
 
