@@ -13,6 +13,7 @@ import numpy as np
 import xarray as xr
 from scipy.interpolate import CubicSpline
 
+from chapters.chang2020.between_outputs import extremes
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below, everywhere
 from riserstudy.grading.word_of_size import Word
@@ -195,7 +196,7 @@ def keeps_more_pull(gas: xr.Dataset, linear: xr.Dataset, amplitudes: list[float]
 def _least_pull(runs: xr.Dataset, amplitudes: list[float]) -> xr.DataArray:
     """Smallest force of all cylinders together (N)."""
     pull = runs["tensioner_force"].sel(heave_amplitude=amplitudes).sum("cylinder", skipna=False)
-    return pull.min("time")
+    return extremes(pull)[1]
 
 
 def caused_by_the_law(
@@ -238,10 +239,16 @@ def _apart(gas: xr.Dataset, linear: xr.Dataset, amplitude: float) -> xr.DataArra
         rest[model] = _rest(chosen)["z_static"].isel(s_node=-1, drop=True)
     difference = heave["linear"] - heave["gas law"]
     offset = rest["linear"] - rest["gas law"]
-    swing = heave["gas law"].max("time") - heave["gas law"].min("time")
-    ways = [abs(difference).max("time"), abs(difference - offset).max("time")]
+    high, low = extremes(heave["gas law"])
+    ways = [_farthest(difference), _farthest(difference - offset)]
     names = xr.DataArray(["as it stands", "from equilibrium"], dims="compared", name="compared")
-    return xr.concat(ways, names) / swing
+    return xr.concat(ways, names) / (high - low)
+
+
+def _farthest(history: xr.DataArray) -> xr.DataArray:
+    """Largest magnitude over time."""
+    high, low = extremes(history)
+    return high.where(high > -low, -low)
 
 
 def _model(runs: xr.Dataset, model: str) -> xr.Dataset:

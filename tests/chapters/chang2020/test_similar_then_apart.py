@@ -19,12 +19,19 @@ BETWEEN = (0.055, 0.24)
 
 
 def responses(seed, apart, unit=1.0, level=0.0):
-    """Heave with the gas law, and with a line that at one time is off by a share of the range."""
+    """Heave with the gas law, and with a line that around one time is off by a share of the range."""
     draw = np.random.default_rng(seed)
-    curves = draw.uniform(-1.0, 1.0, (3, 50)) * np.array([0.0, 2.0, 6.0])[:, None]
-    ranges = np.ptp(curves, axis=1)
+    late, sizes = draw.uniform(0.0, 6.0, 2), np.array([0.0, 2.0, 6.0])
+    time = np.arange(50.0)
+
+    def shape(t):
+        return np.cos(2.0 * np.pi * t / 25.0 - late[0]) + 0.3 * np.cos(2.0 * np.pi * t / 12.5 - late[1])
+
+    curves = sizes[:, None] * shape(time)
+    ranges = sizes * np.ptp(shape(np.linspace(0.0, 49.0, 20001)))
+    bump = draw.choice([-1.0, 1.0]) * np.exp(-(((time - draw.integers(5, 45)) / 4.0) ** 2))
     other = curves.copy()
-    other[1:, draw.integers(1, 50)] += draw.choice([-1.0, 1.0]) * np.array(apart) * ranges[1:]
+    other[1:] += (np.array(apart) * ranges[1:])[:, None] * bump
 
     def made(values):
         return xr.Dataset(
