@@ -17,10 +17,10 @@ from riserstudy.figures.style import as_written
 from riserstudy.scene.resolve import Resolved
 from riserstudy.schematic.above import above, has_plan, radius
 from riserstudy.schematic.facts import freedom_text
-from riserstudy.schematic.geometry import ASSUMED, CALIBRATED, Geometry
+from riserstudy.schematic.geometry import ASSUMED, CALIBRATED, Geometry, is_spring
 from riserstudy.schematic.labels import KEY, SIZE, Label, place_in_column
 from riserstudy.schematic.not_shown import parts_left_out
-from riserstudy.schematic.riser import ends, riser
+from riserstudy.schematic.riser import borders, ends, riser
 from riserstudy.schematic.sea import sea
 from riserstudy.schematic.topside import topside
 from riserstudy.schematic.view import View
@@ -32,6 +32,7 @@ FLOOR, CEILING = 0.75, 6.75  # of the panels (inches)
 WHOLE, END = 2.0, 1.85  # widths of panels (inches)
 BETWEEN = 0.6  # vertical distance between panels (inches)
 SHARES = {2: (0.5, 0.5), 3: (0.48, 0.28, 0.24)}  # of the right column, by the number of panels
+SHARES_OF_SPRING = (0.7, 0.3)  # a riser that is a spring has no parts at its lower end
 MARGIN = 0.16  # share of the whole view that stays free above and below its parts
 NEAR = 0.12  # share of the riser's length that is shown at its ends
 MOST = 40.0  # but at most this length (m), unless a longer part is there
@@ -72,6 +73,8 @@ def _schematic(geometry: Geometry, scene: Resolved) -> Figure:
     views = [whole]
     plan = has_plan(scene)
     shares = SHARES[3 if plan else 2]
+    if all(map(is_spring, scene.riser)):
+        shares = SHARES_OF_SPRING
     room, top = CEILING - FLOOR - BETWEEN * (len(shares) - 1), CEILING
     windows = {
         "upper end": _upper(geometry, shares[0] * room),
@@ -161,7 +164,7 @@ def _upper(geometry: Geometry, inches: float) -> tuple[tuple[float, float], floa
     if span > 0.0:
         return (x, ring + 0.55 * span), 1.9 * span
     if geometry.standing:
-        return (geometry.top[0], ring - 0.12 * near), near
+        return (geometry.top[0], ring - 0.2 * near), near
     surface = geometry.surface
     if surface is not None and 0.2 * near < abs(surface - ring) < 2.0 * near:
         near = 2.2 * abs(surface - ring)
@@ -211,7 +214,8 @@ def _note(geometry: Geometry, labels: list[Label], dashed: bool) -> str:
         if any(mark in label.text for label in labels)
     )
     symbols = f". {SYMBOLS}{moved}" if dashed or moved else ""
-    return f"{NOTE}{symbols}. The riser is unstretched{before}.{marks}{missing}"
+    parts = ". Marks in (a) divide the riser into sections" if borders(geometry) else ""
+    return f"{NOTE}{symbols}{parts}. The riser is unstretched{before}.{marks}{missing}"
 
 
 def _texts(figure: Figure, geometry: Geometry, labels: list[Label], dashed: bool) -> None:

@@ -102,6 +102,13 @@ def _marked(name: str, value: float | None, unit: str, mark: str) -> str:
     return f"{name} {amount(value, unit)}{mark}" if value else ""
 
 
+def _tells_contents(other: Section, section: Section) -> bool:
+    """Return whether the label of another, longer section has the density of these contents."""
+    if other.contents is None or section.contents is None or other.total_length <= section.total_length:
+        return False
+    return bool(other.contents.density == section.contents.density)
+
+
 def _weight_text(section: Section, scene: Resolved, mark: Callable[[str], str]) -> str:
     """Return the weight per length with contents, which the tension carries, and without."""
     weight, full, gravity = section.submerged_weight, section.contents, scene.gravity
@@ -113,6 +120,8 @@ def _weight_text(section: Section, scene: Resolved, mark: Callable[[str], str]) 
     if full is None:
         return f"{empty}{where}" if empty else ""
     inside = f"contents of {full.density:.4g} kg/m³{mark('contents.density')}"
+    if any(_tells_contents(other, section) for other in scene.riser):
+        inside = "contents"
     if weight is None or gravity is None:
         return sentence([f"{empty}{where} without contents" if empty else "", inside])
     return sentence(

@@ -25,6 +25,11 @@ from riserstudy.schematic.view import SYMBOL, THIN, View
 STEEL, COVER = "#9aa4ad", "#d7dce0"
 SPRINGS = 8  # most springs that are drawn along a conductor
 LEAST = 0.04  # height of a body (inches)
+BODY = 0.26  # height of the symbol of a body (inches)
+WEIGHT = 0.42  # length of the arrow of a weight (inches)
+MOVES_ASIDE = 0.63  # distance of the arrow of an axial motion from the riser (inches)
+BORDER = 0.05  # half width of the mark between two sections (inches)
+COIL, TURN = 0.18, 0.07  # width and height of a turn of a spring (inches)
 
 
 def riser(view: View, geometry: Geometry) -> None:
@@ -41,7 +46,10 @@ def riser(view: View, geometry: Geometry) -> None:
                 remarks = [geometry.remark(f"{path}.{n}") for n in ("axial_stiffness", "length")]
                 text = spring_text(section, *remarks)
             text += geometry.remark(path)
-            view.name(text, geometry.at(visible[0]), whole=long)
+            seen = any(end.shows(geometry.at(s)) for s in _from_the_middle(low, high) for end in view.ends)
+            view.name(text, geometry.at(visible[0]), whole=long or (view.whole and not seen))
+        if view.whole and low in borders(geometry):
+            _border(view, geometry.at(low))
         if section.lateral_load:
             _line_load(view, geometry, section.lateral_load, low, high)
         if section.flex_joint_below:
@@ -59,6 +67,18 @@ def riser(view: View, geometry: Geometry) -> None:
             view.name_anywhere(text, (x, z))
 
 
+def borders(geometry: Geometry) -> list[float]:
+    """Arclengths (m) at which two sections of the riser meet without a joint, which are marked."""
+    lowest = geometry.scene.lowest_riser_section or 0
+    return [low for section, low, _ in geometry.sections[lowest + 1 :] if not section.flex_joint_below]
+
+
+def _border(view: View, place: Point) -> None:
+    """Mark where two sections meet, as their widths are invisible in the whole view."""
+    x, z = place
+    view.line([x - BORDER * view.inch, x + BORDER * view.inch], [z, z], linewidth=THIN, zorder=2.3)
+
+
 def _from_the_middle(low: float, high: float) -> list[float]:
     """Return positions along a section, its middle first."""
     places = np.linspace(low, high, 41)[1:-1]
@@ -68,7 +88,7 @@ def _from_the_middle(low: float, high: float) -> list[float]:
 def _section(view: View, geometry: Geometry, section: Section, low: float, high: float) -> None:
     x, z = geometry.between(low, high)
     if is_spring(section):
-        view.spring((x[0], z[0]), (x[-1], z[-1]), 0.18 * view.inch)
+        _coiled(view, x, z)
         return
     pipe = section.outer_diameter
     around = [part.diameter for part in (section.drag, section.added_mass) if part]
@@ -79,6 +99,18 @@ def _section(view: View, geometry: Geometry, section: Section, low: float, high:
     if pipe:
         _tube(view, x, z, pipe, facecolor=STEEL, edgecolor=PART, linewidth=0.6, zorder=2.5)
     view.line(list(x), list(z), linewidth=THIN if pipe else 1.6, zorder=2.2)
+
+
+def _coiled(view: View, x: np.ndarray, z: np.ndarray) -> None:
+    """Draw a section that is a spring; an upright one has turns of one size in both views of the ends."""
+    if x[0] != x[-1]:
+        view.spring((x[0], z[0]), (x[-1], z[-1]), COIL * view.symbol)
+        return
+    _, _, lowest, highest = view.window
+    low, high = max(float(z[0]), lowest), min(float(z[-1]), highest)
+    turns = max(int((high - low) / (TURN * view.inch)), 3)
+    away = np.concatenate([[0.0, 0.0], np.resize([0.5, -0.5], turns), [0.0, 0.0]]) * COIL * view.symbol
+    view.line(list(x[0] + away), list(np.linspace(low, high, turns + 4)), linewidth=THIN)
 
 
 def _tube(view: View, x: np.ndarray, z: np.ndarray, diameter: float, **style: Any) -> None:
@@ -118,7 +150,9 @@ def ends(view: View, geometry: Geometry) -> None:
     scene = geometry.scene
     bottom, top = scene.bottom, scene.top
     if bottom.hold != "free":
-        _ground(view, geometry.bottom, rolling=bottom.hold == "foot")
+        x, z = geometry.bottom
+        below = z - (_height(view, geometry, True) if bottom.body else 0.0)  # a body stands on what holds it
+        _ground(view, (x, below), rolling=bottom.hold == "foot")
         if scene.lateral:
             end_joint(view, geometry.bottom, bottom.rotation)
     view.name(bottom_text(scene, geometry.remark("bottom")), geometry.bottom, FREEDOM, lift=AWAY)
@@ -126,6 +160,9 @@ def ends(view: View, geometry: Geometry) -> None:
         body(view, geometry, bottom.body, geometry.bottom, below=True)
     if top.body:
         body(view, geometry, top.body, geometry.ring, below=False)
+    if not (view.whole or scene.lateral) and top.z == "free":
+        x, z = geometry.ring
+        view.motion((x - MOVES_ASIDE * view.symbol, z), (0.0, 0.5 * BODY * view.symbol))
     if scene.lateral:
         end_joint(view, geometry.top, top.rotation)
     view.name(top_text(geometry), geometry.top, FREEDOM, lift=AWAY)
@@ -162,11 +199,8 @@ def _ground(view: View, place: Point, rolling: bool) -> None:
 def body(view: View, geometry: Geometry, body_of: Body, place: Point, below: bool) -> None:
     """Draw a concentrated mass as a symbol, as a scene does not contain its size."""
     scene = geometry.scene
-    size = 0.26 * view.symbol
+    size = _height(view, geometry, below)
     x, z = place
-    if view.whole and below and geometry.seabed is not None and geometry.seabed < z:
-        # hangs freely, as in reality
-        size = min(size, max(0.5 * (z - geometry.seabed), LEAST * view.inch))
     middle = z - 0.5 * size if below else z
     view.box((x, middle - 0.5 * size), 1.3 * size, size, facecolor="#c9ced3")
     density = scene.water.density if scene.water else 0.0
@@ -174,12 +208,24 @@ def body(view: View, geometry: Geometry, body_of: Body, place: Point, below: boo
     path = f"{'bottom' if below else 'top'}.body"
     view.name(body_text(body_of, geometry, path), (x + 0.65 * size, middle))
     if weight:
-        tail = (x, middle - 0.5 * size)
+        # below a body that hangs, beside one that stands, above one on the riser, where nothing else is drawn
+        side, start = 0.0, z + 0.5 * size + WEIGHT * view.symbol
+        if below:
+            stands = scene.bottom.hold != "free"
+            side, start = (0.9 * size, z + 0.3 * size) if stands else (0.0, z - size)
         if not view.whole:
-            view.arrow(tail, (x, tail[1] - 0.42 * view.symbol))
-        head = (x, tail[1] - 0.36 * view.symbol)
+            view.arrow((x + side, start), (x + side, start - WEIGHT * view.symbol))
+        named = (x + side, start - (0.86 if below else 0.5) * WEIGHT * view.symbol)
         mark = geometry.mark(f"{path}.submerged_weight")
-        view.name(f"weight {amount(weight, 'N')}{mark}", head, LOAD)
+        view.name(f"weight {amount(weight, 'N')}{mark}", named, LOAD)
+
+
+def _height(view: View, geometry: Geometry, below: bool) -> float:
+    """Return the height of the symbol of a body; one below the riser does not reach the seabed (m)."""
+    size, foot = BODY * view.symbol, geometry.bottom[1]
+    if view.whole and below and geometry.seabed is not None and geometry.seabed < foot:
+        return min(size, max(0.5 * (foot - geometry.seabed), LEAST * view.inch))
+    return size
 
 
 def soil(view: View, geometry: Geometry) -> None:

@@ -21,6 +21,7 @@ ASIDE = 0.28  # distance of upright cylinders from the riser (inches)
 SLEEVE = 2.2  # diameter of a telescopic joint's outer barrel over the riser's diameter
 BARREL = 0.09  # width of an upright cylinder (inches)
 HULL = (1.5, 0.3)  # width and height of a platform (inches)
+OPENING = 0.3  # width of the opening in a platform below the ring (inches)
 HEAVE_ASIDE = 0.42  # distance of the heave arrow, as a share of the platform's width
 
 
@@ -120,7 +121,8 @@ def tensioners(view: View, geometry: Geometry) -> None:
     right = max(feet, key=lambda foot: foot[1])
     at = (x + 0.5 * (right[0] + right[1]), 0.65 * high + 0.35 * z)
     text = tensioner_text(rig, geometry)
-    view.name(text + ("" if place else " (length not given)"), at)
+    unknown = "length not given" if rig.count <= 2 else "two are drawn; length not given"
+    view.name(text + ("" if place else f" ({unknown})"), at)
     ring_end = max(foot[0] for foot in feet)
     view.name(f"tension ring{geometry.remark('top.tensioners')}", (x + ring_end, z))
 
@@ -132,7 +134,12 @@ def platform(view: View, geometry: Geometry) -> None:
         return
     width, height = (side * view.symbol for side in HULL)
     x, z = geometry.top[0], deck(view, geometry)
-    view.box((x, z), width, height, facecolor="#dfe5ea")
+    if geometry.standing:  # the riser passes through an opening
+        side = 0.5 * (width - OPENING * view.symbol)
+        for sign in (-1.0, 1.0):
+            view.box((x + sign * 0.5 * (width - side), z), side, height, facecolor="#dfe5ea")
+    else:
+        view.box((x, z), width, height, facecolor="#dfe5ea")
     middle = z + 0.5 * height
     edge = x + 0.5 * width
     afloat = vessel_texts(geometry)
