@@ -20,6 +20,7 @@ ALIKE = 0.02  # share of an amplitude, below which a difference is invisible
 STROKE = 7.5  # m, in both directions
 ABOUT_ZERO = (6.6, 7.5), (-0.6, 1.4)  # heave (m) and tension (MN) of the inset
 TENSION = "effective tension (kN)"
+LEVELS = 100.0  # kN, between lines of equal tension
 AMPLITUDE, PERIOD = "heave amplitude of the platform (m)", "heave period of the platform (s)"
 
 
@@ -28,6 +29,7 @@ def fig13(heave_case: xr.Dataset) -> Figure:
     figure, (ax,) = panels(height=3.8)
     tension = _by_depth(heave_case.sel(tensioner_model="gas law"))["effective_tension"] / 1e3
     field(figure, ax, tension, "time", "depth", TENSION)
+    _equal(ax, tension)
     ax.set_xlabel(TIME)
     ax.set_ylabel(DEPTH)
     ax.invert_yaxis()
@@ -39,6 +41,17 @@ def fig13(heave_case: xr.Dataset) -> Figure:
         else f"Heave gives a tension amplitude of {top:.0f} kN at the top, {bottom:.0f} kN at the bottom",
     )
     return figure
+
+
+def _equal(ax: Axes, tension: xr.DataArray) -> None:
+    """Draw lines of equal tension, which are upright where tension is alike at all depths."""
+    low, high = (float(end) / LEVELS for end in (tension.min(), tension.max()))
+    levels = LEVELS * np.arange(np.ceil(low), np.floor(high) + 1.0)
+    by_depth = tension.transpose("depth", "time")
+    lines = ax.contour(by_depth["time"], by_depth["depth"], by_depth, levels, colors="0.25", linewidths=0.7)
+    name = f"lines of equal tension, every {LEVELS:g} kN"
+    lines.set_label(name)
+    panel_title(ax, name)
 
 
 def fig14(heave_case: xr.Dataset, heave_upright: xr.Dataset) -> Figure:

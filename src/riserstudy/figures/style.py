@@ -28,6 +28,8 @@ WITHIN = (1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0)  # marks of a short axis, in powers
 DECADES = 100.0  # ratio of the ends up to which values between powers of ten are marked
 LETTERS_AN_INCH = 13  # letters of a headline in an inch
 SIGNED: dict[str, Any] = {"cmap": "PuOr_r"}
+# from the least to the most; the most contrasts most with the page, also where a dark page inverts colours
+ONE_SIGN: dict[str, Any] = {"cmap": "Blues"}
 TINT, SHADE = 0.5, 0.5  # shares of white and black in the first and the last shade of a colour
 PRINTED: dict[str, Any] = {"color": "black", "linestyle": (0, (6, 3)), "linewidth": 1.0}
 
@@ -154,7 +156,7 @@ def field(
     signed : largest magnitude, for a scale symmetric about zero, which is white; absent: from least to most.
     """
     displayed = values.transpose(up, across)
-    scale = {"cmap": "viridis"} if signed is None else SIGNED | {"vmin": -signed, "vmax": signed}
+    scale = ONE_SIGN if signed is None else SIGNED | {"vmin": -signed, "vmax": signed}
     colours = ax.pcolormesh(
         displayed[across], displayed[up], displayed, shading="gouraud", rasterized=True, **scale
     )
