@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,7 @@ from chapters.fem_riser.claims import (
     grid_error,
 )
 from chapters.fem_riser.figures.shared import BLACK, HEIGHT, TIME
-from riserstudy.figures.direct import label_ends, label_line
+from riserstudy.figures.direct import label_ends, label_line, legible, spread
 from riserstudy.figures.style import (
     COLOURS,
     GREY,
@@ -39,6 +40,7 @@ viridis = colormaps["viridis"]
 #: lines of the beam, and of lumped masses in front of it
 WIDE: dict[str, Any] = {"color": COLOURS[5], "linewidth": 3.2}
 DASHED: dict[str, Any] = {"color": "#003a5d", "linewidth": 1.2, "linestyle": (0, (4, 3))}
+HEIGHT_OF_TEXT = 12.0  # points
 GRID_TIME = 80.0  # s, duration of the runs of the grid test
 #: possible meanings of the buoyant factor
 READINGS = {
@@ -183,61 +185,100 @@ def solvers(small_deflection: xr.Dataset) -> Figure:
 
 
 def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
-    """Error over element length; elapsed times of single runs as ranges over time steps, as they scatter."""
+    """Error over element length, and elapsed time of each run, by time step; the paper's own setting."""
     figure, (left, right) = panels(1, 2, 3.6)
-    error, elements = 100.0 * grid_error(grid_test), [str(e) for e in grid_test["element"].values]
-    lengths = [float(element.split()[0]) for element in elements]
-    steps = grid_test["time_step"].values
-    shades = viridis(np.linspace(0.0, 0.85, len(steps)))
-    sizes = np.linspace(10.0, 3.0, len(steps))  # nested marks: time steps have little effect
-    for colour, size, step in zip(shades, sizes, steps, strict=True):
-        curve = error.sel(time_step=step)
-        style: dict[str, Any] = {"color": colour, "ms": size, "mfc": "none", "mew": 1.3}
-        left.loglog(
-            lengths, curve.where(curve > 0.0), "o-", lw=0.35 * size, label=f"time step {step:g} s", **style
-        )  # fmt: skip
-    left.set_xticks(lengths, [f"{length:g}" for length in lengths])
-    left.xaxis.set_minor_locator(NullLocator())
-    left.yaxis.set_major_formatter("{x:g}")
-    left.set_xlabel("length of the elements (m)")
-    left.set_ylabel("error of deflection or moment,\nthe larger (%)")
+    error = 100.0 * grid_error(grid_test)
+    lengths = [float(str(element).split()[0]) for element in grid_test["element"].values]
     step = float(own_setting["time_step"].min())  # the paper's time step, or the nearest to it at this tier
     whole = float(own_setting["solve_seconds"].sel(time_step=step))
     length = float(own_setting["s_node"][1] - own_setting["s_node"][0])
-    steps_of = f"time step {step:g} s"
-    if not np.isclose(step, PAPER_STEP):
-        steps_of += f" (paper: {PAPER_STEP:g} s)"
-    star: dict[str, Any] = {"color": BLACK, "marker": "*", "ms": 11, "ls": "none"}
-    own = GRID_TIME / DURATION * whole
-    right.plot([own], [len(elements)], **star)
-    seconds = grid_test["solve_seconds"]
-    low, high = seconds.min("time_step"), seconds.max("time_step")
-    span: dict[str, Any] = {"color": GREY, "linewidth": 2.0}
-    for row, ends in enumerate(zip(low.values, high.values, strict=True)):
-        right.plot(ends, [row, row], "|-", ms=9, mew=2.0, **span)
-    left.plot([], [], label="(b) range over these time steps", **span)
-    left.plot([], [], label=f"(b) paper's {length:g} m, {steps_of}", **star)
-    rows = [*(f"{one:g}" for one in lengths), f"{length:g}, paper"]
-    right.set_yticks(range(len(rows)), rows)
-    right.set_ylabel("length of the elements (m)")
-    right.set_ylim(len(rows) - 0.5, -0.5)
-    right.set_xscale("log")
-    log_ticks(right.xaxis)
-    right.xaxis.set_major_formatter("{x:g}")
-    right.set_xlabel(f"elapsed time of {GRID_TIME:g} simulated seconds (s)")
-    key_below(figure, left, 3)
     alike = f"{length:g} m"  # elements as long as the paper's
-    longer = own / float(high.sel(element=alike))
-    if longer > 2.0 and np.isclose(step, PAPER_STEP):
-        right.annotate(
-            f"{longer:.0f} times the longest\nrun with {alike} (this computer)", (own, len(elements)),
-            xytext=(-9, 0), textcoords="offset points", ha="right", va="center", fontsize="small",
-        )  # fmt: skip
+    steps = grid_test["time_step"].values
     least = float(error.sel(element=alike, time_step=steps.min()))  # the error that shorter steps leave
+    _errors(left, error, lengths)
+    left.annotate(
+        f"paper's elements,\n{alike}: {least:.1f} %", (length, least), xytext=(24, -42), fontsize="small",
+        textcoords="offset points", arrowprops={"arrowstyle": "-", "lw": 0.7, "shrinkB": 6.0},
+    )  # fmt: skip
+    seconds = grid_test["solve_seconds"]
+    _times(right, seconds, lengths)
+    own = GRID_TIME / DURATION * whole
+    row = lengths.index(length)
+    right.plot([own], [row], color=BLACK, marker="*", ms=12, ls="none", label="the paper's time step")
+    longer = own / float(seconds.sel(element=alike).max())
+    words = f"time step {step:g} s\n(paper: {PAPER_STEP:g} s)"
+    if np.isclose(step, PAPER_STEP):
+        words = f"paper's time step, {step:g} s"
+        words += f":\n{longer:.0f} times the longest\nother run of {alike}" if longer > 2.0 else ""
+    right.annotate(words, (own, row), xytext=(4, 9), textcoords="offset points", ha="right", va="bottom",
+                   fontsize="small")  # fmt: skip
     panel_title(left, "error of the beam, by time step")
-    panel_title(right, "elapsed time on one computer")
+    panel_title(right, "elapsed time on one computer, colours as in (a)")
     headline(figure, f"Elements of {alike}, as in the paper, have an error of {least:.1f} %")
+    _name_starts(figure, left)
     return figure
+
+
+def _of_steps(steps: np.ndarray) -> Iterator[tuple[float, dict[str, Any]]]:
+    """Each time step with its style: nested marks, since time steps have little effect on the error."""
+    colours, sizes = viridis(np.linspace(0.0, 0.75, len(steps))), np.linspace(10.0, 4.0, len(steps))
+    for colour, size, step in zip(colours, sizes, steps, strict=True):
+        yield float(step), {"color": colour, "ms": size, "mfc": "none", "mew": 1.3, "label": f"{step:g} s"}
+
+
+def _errors(ax: Axes, error: xr.DataArray, lengths: list[float]) -> None:
+    """Error over element length, one line per time step."""
+    for step, style in _of_steps(error["time_step"].values):
+        curve = error.sel(time_step=step)
+        ax.loglog(lengths, curve.where(curve > 0.0), "o-", lw=0.3 * style["ms"], **style)
+    ax.set_xlim(left=0.55 * min(lengths))  # room for names
+    ax.set_xticks(lengths, [f"{length:g}" for length in lengths])
+    ax.xaxis.set_minor_locator(NullLocator())
+    ax.yaxis.set_major_formatter("{x:g}")
+    ax.set_xlabel("length of the elements (m)")
+    ax.set_ylabel("error of deflection or moment,\nthe larger (%)")
+
+
+def _times(ax: Axes, seconds: xr.DataArray, lengths: list[float]) -> None:
+    """Elapsed time of each run, one row per element length; times scatter."""
+    rows = range(len(lengths))
+    for row, low, high in zip(rows, seconds.min("time_step"), seconds.max("time_step"), strict=True):
+        ax.plot([low, high], [row, row], color="0.8", linewidth=1.5, zorder=1)
+    for step, style in _of_steps(seconds["time_step"].values):
+        ax.plot(seconds.sel(time_step=step), rows, ls="none", marker="o", **style)
+    ax.set_yticks(rows, [f"{length:g}" for length in lengths])
+    ax.set_ylabel("length of the elements (m)")
+    ax.set_ylim(len(lengths) - 0.5, -0.5)
+    ax.set_xscale("log")
+    log_ticks(ax.xaxis)
+    ax.xaxis.set_major_formatter("{x:g}")
+    ax.set_xlabel(f"elapsed time of {GRID_TIME:g} simulated seconds (s)")
+
+
+def _name_starts(figure: Figure, ax: Axes) -> None:
+    """Write the time steps to the left of the first points of their lines, in the order of these points."""
+    figure.draw_without_rendering()  # computes the layout of the panels
+    starts = np.array([_at_least_x(line) for line in ax.lines])
+    shortest = float(starts[:, 0].min())
+    levels = 72.0 / figure.dpi * ax.transData.transform(starts)[:, 1]
+    named = starts[:, 0] == shortest  # the finest run of all is the reference, without an error
+    moved = np.copy(levels)
+    moved[named] = spread(levels[named], np.full(int(named.sum()), HEIGHT_OF_TEXT))
+    style: dict[str, Any] = {"textcoords": "offset points", "ha": "right", "fontsize": "small"}
+    for line, start, place, level, away in zip(ax.lines, starts, moved, levels, ~named, strict=True):
+        style["color"] = legible(line.get_color())
+        if away:
+            ax.annotate(f"{line.get_label()}: reference at {shortest:g} m", (1.0, 0.0), xytext=(-6.0, 6.0),
+                        xycoords="axes fraction", **style)  # fmt: skip
+        else:
+            ax.annotate(str(line.get_label()), start, xytext=(-10.0, place - level), va="center", **style)
+
+
+def _at_least_x(line: Line2D) -> tuple[float, float]:
+    """The point of a line with the least x that it shows."""
+    points = np.asarray(line.get_xydata(), float)
+    x, y = min(points[np.isfinite(points).all(axis=1)].tolist())
+    return x, y
 
 
 def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
