@@ -11,6 +11,7 @@ from matplotlib.colors import ListedColormap, hsv_to_rgb
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator
 from scipy.interpolate import PchipInterpolator
 
 from riserstudy.dataset.clearance import TOUCHING
@@ -25,6 +26,7 @@ LABELS = (
     "both, at equal or different heave phases",
 )
 QUIET = (0.65, 0.72)  # saturation and value of colours in a circle
+BEFORE = 5.0  # s, shown before the first disconnect
 FINE = 2000  # points of a smooth curve through samples
 FILL = ("#9fd8bd", "#f5c9a0", "#a9c9e8", "#d3a9c4")
 
@@ -195,46 +197,54 @@ def _with_failures(verdict: xr.DataArray) -> str:
     return f"{with_failed}, {100 * count / clear.size:.0f} % of the settings avoid re-contact and stroke-out"
 
 
+def _first_rise(line: Line2D) -> tuple[float, float] | None:
+    """Time and lift of the first sample of a line at which the LMRP is off the BOP, or None."""
+    time, lift = (np.asarray(values, float) for values in line.get_data())
+    off = np.flatnonzero(lift > TOUCHING)
+    return (float(time[off[0]]), float(lift[off[0]])) if len(off) else None
+
+
+def _name_highest(ax: Axes) -> None:
+    """Write the largest lift of all lines at its place."""
+    points = np.concatenate([np.asarray(line.get_xydata(), float) for line in ax.lines])
+    time, lift = points[points[:, 1].argmax()]
+    ax.annotate(f"{lift:.0f} m", (time, lift), (0, 3), textcoords="offset points", ha="center", va="bottom",
+                fontsize="small")  # fmt: skip
+
+
 def recoil_systems(recoil_liu2020: xr.Dataset, recoil_mao: xr.Dataset) -> Figure:
     """Lift over time of two published systems."""
     figure, (liu, mao) = panels(1, 2, 3.6, sharey=True)
     heaves = recoil_liu2020["heave_amplitude"].values
     one = recoil_liu2020["lift"].sel(heave_amplitude=heaves[len(heaves) // 2])
+    rises = []
     for phase in one["phase"].values:
         colour = hsv_to_rgb((float(phase) / 360.0 % 1.0, *QUIET))
-        liu.plot(one["time"], one.sel(phase=phase), color=colour, linewidth=1.3, label=f"{phase:g}°")
-    liu.legend(
-        title="heave phase at the disconnect",
-        fontsize="small",
-        title_fontsize="small",
-        loc="upper left",
-        ncols=3,
-    )
-    panel_title(liu, f"Liu et al. 2020, heave amplitude {heaves[len(heaves) // 2]:g} m")
+        at = one.sel(phase=phase)
+        (line,) = liu.plot(one["time"], at, color=colour, linewidth=1.3, label=f"{phase:g}°")
+        if rise := _first_rise(line):
+            rises.append(rise[0])
+            liu.plot(*rise, "o", color=colour, markersize=5, zorder=3)
+    panel_title(liu, f"Liu et al. 2020, heave amplitude {heaves[len(heaves) // 2]:g} m; by heave phase")
+    liu.text(0.04, 0.93, "dots: disconnect, at each heave phase", fontsize="small", transform=liu.transAxes)
     tensions = recoil_mao["top_tension"].values
     fine = np.linspace(float(recoil_mao["time"][0]), float(recoil_mao["time"][-1]), FINE)
     for shade, tension in zip(shades(COLOURS[0], len(tensions)), tensions, strict=True):
         at = recoil_mao["lift"].sel(top_tension=tension)
         lift = PchipInterpolator(at["time"], at)(fine)
         mao.plot(fine, lift, color=shade, linewidth=1.3, label=f"{tension / 1e3:.1f} MN")
-    mao.legend(title="top tension", fontsize="small", title_fontsize="small", loc="upper right")
-    panel_title(mao, "Mao et al., no heave")
-    lowest = min(float(of.min()) for of in (one, recoil_mao["lift"]))
-    if lowest < 0.0:
-        mao.text(
-            0.36,
-            0.97,
-            "below 0: the\nLMRP compresses\nthe BOP contact",
-            va="top",
-            fontsize="small",
-            transform=mao.transAxes,
-        )
-    latest = max(float(of["time"].max()) for of in (one, recoil_mao))
+    panel_title(mao, "Mao et al., no heave; by top tension")
+    liu.set_ylim(top=1.1 * max(float(of.max()) for of in (one, recoil_mao["lift"])))  # room for a number
+    liu.yaxis.set_major_locator(MaxNLocator(10, integer=True))
     for ax in (liu, mao):
-        ax.set_xlim(0.0, latest)
+        _name_highest(ax)
         ax.axhline(0.0, color="black", linewidth=0.6)
         ax.set_xlabel("time (s)")
     liu.set_ylabel("LMRP lift above the BOP (m)")
     high = float(one.max("time").max()), float(recoil_mao["lift"].max())
     headline(figure, f"The LMRP rises by up to {high[0]:.0f} m (Liu et al.) and {high[1]:.0f} m (Mao et al.)")
+    for ax in (liu, mao):
+        label_ends(ax)
+    if rises:
+        liu.set_xlim(left=max(0.0, min(rises) - BEFORE))
     return figure

@@ -6,7 +6,7 @@ import xarray as xr
 
 from chapters.design.derived.seas import _added, allowances
 from chapters.design.figures.operability import operability_drilling
-from chapters.design.figures.recoil import recoil_failures
+from chapters.design.figures.recoil import recoil_failures, recoil_systems
 from chapters.design.figures.tension import heaviest
 from riserstudy.dataset.limits import coordinates
 from riserstudy.design.envelopes import envelopes
@@ -180,6 +180,36 @@ def test_a_single_pressure_is_a_row_of_cells_that_are_seen():
         corners = ax.collections[0].get_coordinates()
         assert np.ptp(corners[..., 1]) == pytest.approx(1.0)
         assert np.ptp(corners[..., 0]) == pytest.approx(2.0)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_dot_marks_each_disconnect_and_the_largest_lifts_are_written(seed):
+    """Lifts are zero up to a disconnect and parabolas after it; one riser may stay on the BOP."""
+    draw = np.random.default_rng(seed)
+    time = np.linspace(0.0, 60.0, 601)
+    starts = draw.uniform(10.0, 30.0, 4)
+    highest = draw.uniform(1.0, 9.0, 4) * (np.arange(4) < 4 - seed % 2)
+    span = 20.0
+    after = np.clip((time - starts[:, None]) / span, 0.0, 1.0)
+    lift = highest[:, None] * 4.0 * after * (1.0 - after)
+    phases = xr.Dataset(
+        {"lift": (("phase", "heave_amplitude", "time"), lift[:, None, :])},
+        {"phase": [0.0, 90.0, 180.0, 270.0], "heave_amplitude": [2.0], "time": time},
+    )
+    tensions = xr.Dataset(
+        {"lift": (("top_tension", "time"), 2.0 * lift)},
+        {"top_tension": 1e3 * np.arange(6.0, 10.0), "time": time},
+    )
+    liu, mao = recoil_systems(phases, tensions).axes
+    dots = [line for line in liu.lines if line.get_marker() == "o"]
+    step = time[1]
+    seen = sorted(float(dot.get_xdata()[0]) for dot in dots)
+    assert seen == pytest.approx(sorted(starts[highest > 0.0]), abs=1.5 * step)
+    assert all(
+        seen_at - start > 0.0 for seen_at, start in zip(seen, sorted(starts[highest > 0.0]), strict=True)
+    )
+    for ax, times in ((liu, 1.0), (mao, 2.0)):
+        assert f"{times * highest.max():.0f} m" in {text.get_text() for text in ax.texts}
 
 
 def test_the_key_of_disconnects_names_the_outcomes_that_occur():
