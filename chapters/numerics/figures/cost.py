@@ -9,23 +9,24 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 from matplotlib.text import Annotation
 from matplotlib.ticker import FuncFormatter, NullFormatter, NullLocator
 
 from chapters.numerics.answers import COMPARED, QUANTITIES, TOLERANCE, price, without_time
 from chapters.numerics.figures.scenes import in_one_line, in_two_lines
 from riserstudy.figures.direct import legible, spread
-from riserstudy.figures.style import COLOURS, GREY, headline
+from riserstudy.figures.style import COLOURS, GREY, WIDE, WIDTH, headline
 from riserstudy.records.arrays import FloatArray
 
-TICKS = (0.05, 0.02, 0.01, 0.005, 0.002, 0.0005)
+TICKS = (0.05, 0.01, 0.002, 0.0005)  # tolerances of the runs
 WIDEST, FINEST = 0.07, 0.0002  # ends of the axis of errors
-APART = 1.35  # least ratio between the heights of neighbouring names, and of the frame and the highest
+APART = 1.45  # least ratio between the heights of neighbouring names, and of the frame and the highest
 ROOM = 1.4  # ratio of axes of errors with and without room for names of short lines at the left
 NOTE = 0.45  # ratio of the lower end of the axis to the shortest time, above a note
 LETTERS = 68  # of a line of a note
 OURS = "riserstudy"
-WIDEST_PAGE = 9.8  # inches: small text is 6 points on a page of 180 mm
+PAGE = WIDE * WIDTH  # inches
 
 
 class Named(NamedTuple):
@@ -39,9 +40,9 @@ class Named(NamedTuple):
 
 def cost(accuracy: xr.Dataset) -> Figure:
     """Time over tolerance, single runs of codes, and ratio to the cheapest run."""
-    figure = Figure((WIDEST_PAGE, 7.0), dpi=150, layout="constrained")
+    figure = Figure((PAGE, 7.2), dpi=150, layout="constrained")
     placed = figure.subplot_mosaic(
-        [["a", "b"], ["c", "b"]], width_ratios=[1.25, 1.0], height_ratios=[1.4, 1.0]
+        [["a", "a"], ["b", "c"]], width_ratios=[1.25, 1.0], height_ratios=[1.0, 1.25]
     )
     tolerances, runs, ratios = (placed[letter] for letter in "abc")
     lines = {tolerances: _tolerances(tolerances, accuracy), runs: _runs(runs, accuracy)}
@@ -68,14 +69,14 @@ def _tolerances(ax: Axes, accuracy: xr.Dataset) -> list[Named]:
     """Draw the time of all runs over the tolerance, one line per scene; the names have the scene's ratio."""
     found = price(accuracy)
     lines: list[Named] = []
-    for k, scene in enumerate(_scenes(accuracy)):
+    for scene in _scenes(accuracy):
         here = accuracy["request_scene"].values == scene
         requested, seconds = (accuracy["requested"].values[here], accuracy["request_seconds"].values[here])
         order = np.argsort(-requested)
         x, y = requested[order], seconds[order]
         if not np.isfinite(y).any():
             continue
-        colour = COLOURS[k % len(COLOURS)]
+        colour = _colour(accuracy, scene)
         ax.plot(x, y, "o-", color=colour, linewidth=1.6, markersize=4)
         ratio = ""
         if found and {found.coarse, found.fine} <= set(x[np.isfinite(y)].tolist()):
@@ -85,12 +86,12 @@ def _tolerances(ax: Axes, accuracy: xr.Dataset) -> list[Named]:
     if left := without_time(accuracy):
         words = f"no line: {', '.join(map(in_one_line, left))}, over the time limit"
         ax.text(
-            0.02, 0.02, textwrap.fill(words, LETTERS), transform=ax.transAxes, fontsize="small", color=GREY,
+            0.02, 0.02, textwrap.fill(words, LETTERS), transform=ax.transAxes, fontsize="small", color="0.35",
             bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
         )  # fmt: skip
     for tolerance in (found.coarse, found.fine) if found else ():
         ax.axvline(tolerance, color="0.5", linestyle=":", linewidth=1.0, zorder=0)
-    _time_over_error(ax, FINEST / 450.0)  # room for names at the right
+    _time_over_error(ax, FINEST / 40.0)  # room for names at the right
     if left and lines:
         ax.set_ylim(bottom=NOTE * min(line.y.min() for line in lines))
     ax.set_xlabel("tolerance (%): more accurate →")
@@ -127,8 +128,9 @@ def _runs(ax: Axes, accuracy: xr.Dataset) -> list[Named]:
     inside = single[(single[:, 0] < WIDEST) & (single[:, 0] > FINEST)]
     names: list[Named] = []
     if len(inside):
-        ax.plot(*inside.T, "o-", color=COLOURS[0], linewidth=3.0, markersize=5, zorder=3)
-        names.append(Named(inside[:, 0], inside[:, 1], OURS, COLOURS[0]))
+        colour = _colour(accuracy, scene)
+        ax.plot(*inside.T, "o-", color=colour, linewidth=3.0, markersize=5, zorder=3)
+        names.append(Named(inside[:, 0], inside[:, 1], OURS, colour))
     for peer, error, ratio in _peers(accuracy, scene):
         seconds = _at(single, error) * ratio
         good = np.isfinite(seconds)
@@ -138,9 +140,14 @@ def _runs(ax: Axes, accuracy: xr.Dataset) -> list[Named]:
             times = f": {ratio[there][0]:g} times" if there.any() else ""
             names.append(Named(error[good], seconds[good], peer + times, "0.35"))
     ax.axvline(COMPARED, color="0.5", linestyle=":", linewidth=1.0, zorder=0)
-    _time_over_error(ax, FINEST / 14.0)
+    compared_with = _at(single, np.array([COMPARED]))
+    if names[1:] and np.isfinite(compared_with).all():
+        style: dict[str, Any] = {"ms": 10, "mfc": "white", "mec": _colour(accuracy, scene), "mew": 2.0}
+        ax.plot(COMPARED, compared_with, "o", zorder=4, **style)
+        ax.annotate("1", (COMPARED, compared_with[0]), ha="center", va="center", fontsize="small", zorder=5)
+    _time_over_error(ax, FINEST / 50.0)
     ax.set_xlim(left=ROOM * WIDEST)
-    ax.set_xlabel("true error of displacement (%): more accurate →")
+    ax.set_xlabel("true error of displacement (%):\nmore accurate →")
     ax.set_ylabel("elapsed time of one run (s)")
     compared = f";\nnumbers: time / time of {OURS} at {100 * COMPARED:g} %" if names[1:] else ""
     ax.set_title(f"(b) time of a single run, {in_one_line(scene)}{compared}", loc="left", fontsize="small")
@@ -235,7 +242,6 @@ def lowest_cost(of: xr.Dataset) -> FloatArray:
 
 def _ratios(ax: Axes, accuracy: xr.Dataset) -> None:
     """Draw the time with a tolerance, of all runs and of the last, divided by the cheapest equal run's."""
-    labels = {"all": "all runs", "last": "last run only"}
     drawn: list[str] = []
     without: list[str] = []
     for scene in _scenes(accuracy):
@@ -245,23 +251,30 @@ def _ratios(ax: Axes, accuracy: xr.Dataset) -> None:
             continue
         k = len(drawn)
         drawn.append(scene)
-        ax.barh(k, every, height=0.62, color=COLOURS[5], label=labels.pop("all", "_"))
-        ax.barh(k, last, height=0.3, color=COLOURS[0], label=labels.pop("last", "_"))
+        ax.barh(k, every, height=0.62, color=_colour(accuracy, scene), alpha=0.4)
+        ax.barh(k, last, height=0.3, color=_colour(accuracy, scene))
         ax.annotate(f" {every:.1f} times", (every, k), va="center", fontsize="small", color="0.25")
     if drawn:
-        ax.plot([1.0, 1.0], [-0.6, len(drawn) - 0.4], color="black", linewidth=0.8)
-        ax.text(1.0, -0.65, "cheapest single run", ha="center", va="bottom", fontsize="small", color="0.25")
-        ax.legend(loc="upper right", ncols=2, fontsize="small", frameon=False, borderaxespad=0.2)
+        ax.plot([1.0, 1.0], [-0.9, len(drawn) - 0.4], color="black", linewidth=0.8)
+        ax.text(1.05, -0.5, "cheapest single run", va="bottom", fontsize="small", color="0.25")
+        key = [Patch(color=GREY, alpha=0.4, label="all runs"), Patch(color=GREY, label="last run only")]
+        ax.legend(handles=key, loc="upper right", ncols=2, fontsize="small", frameon=False, borderaxespad=0.2)
     if without:
-        note = textwrap.fill(f"no bar: {'; '.join(without)}", LETTERS)
-        ax.text(0.02, 0.03, note, transform=ax.transAxes, fontsize="small", color=GREY)
+        note = textwrap.fill(f"no bar: {'; '.join(without)}", LETTERS // 2)
+        ax.text(0.02, 0.03, note, transform=ax.transAxes, fontsize="small", color="0.35")
     ax.set_yticks(range(len(drawn)), [in_two_lines(scene) for scene in drawn], fontsize="small")
-    ax.set_ylim(len(drawn) - 0.4 + (1.0 if without else 0.0), -1.2)  # room for the key and the note
-    ax.margins(x=0.2)
-    ax.set_xlabel("time / time of the cheapest single run within the tolerance")
+    ax.set_ylim(len(drawn) - 0.4 + (1.4 if without else 0.0), -1.5)  # room for the key and the note
+    ax.margins(x=0.32)
+    ax.set_xlabel("time / time of the cheapest\nsingle run within the tolerance")
     ax.set_title(
         f"(c) time to find mesh and time step for {100 * TOLERANCE:g} %", loc="left", fontsize="small"
     )
+
+
+def _colour(accuracy: xr.Dataset, scene: str) -> str:
+    """Colour of a scene in all panels."""
+    scenes = _scenes(accuracy)
+    return COLOURS[scenes.index(scene) % len(COLOURS) if scene in scenes else 0]
 
 
 def _scenes(accuracy: xr.Dataset) -> list[str]:

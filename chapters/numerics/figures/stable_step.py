@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -10,23 +12,25 @@ from matplotlib.ticker import NullFormatter
 
 from chapters.numerics.answers import STEP_FOUND
 from riserstudy.figures.direct import legible, spread
-from riserstudy.figures.style import COLOURS, headline, key_below, panels
+from riserstudy.figures.style import COLOURS, headline, mosaic, panel_title
 
 UNSAFE = 1.0  # measured / predicted step, below which the prediction is too long
+LEAST = 1.0  # %, shown to both sides
 LINE = 11.0  # height of a line of text (points)
 ROOM = 8.0  # ratio by which the axis is longer than the lines, for their names
 ALIKE = 0.1  # difference (%) below which steps count as equal
 
 
 def stable_step(stable_step: xr.Dataset) -> Figure:
-    """Stable steps over the segments: predicted as lines, measured as marks, named at their ends."""
-    figure, axes = panels(1, 1, height=4.4)
-    ax = axes[0]
+    """Stable steps over the segments, predicted and measured, and their difference, variant by variant."""
+    figure, (ax, off) = mosaic(["a a a b b"], [4.0])
     ratio = stable_step["measured"] / stable_step["predicted"]
     ends: list[tuple[float, float, str, str]] = []
+    colours: dict[int, str] = {}
     for row, alike in enumerate(_coinciding(stable_step)):
         of = stable_step.isel(variant=alike[0])
         colour = COLOURS[row % len(COLOURS)]
+        colours |= dict.fromkeys(alike, colour)
         ax.plot(of["elements"], of["predicted"], "-", linewidth=1.2, color=colour)
         for k in alike:
             one = stable_step.isel(variant=k)
@@ -46,10 +50,30 @@ def stable_step(stable_step: xr.Dataset) -> Figure:
     ax.set_ylabel("longest stable time step (s)")
     low, high = ax.get_xlim()
     ax.set_xlim(low, ROOM * high)
+    panel_title(ax, "longest stable step")
+    _differences(off, ratio, colours)
     headline(figure, answer(ratio))
-    key_below(figure, ax, 2)
+    ax.legend(loc="lower left", fontsize="small")
     _name_ends(figure, ax, ends)
     return figure
+
+
+def _differences(ax: Axes, ratio: xr.DataArray, colours: dict[int, str]) -> None:
+    """Measured / predicted step of every variant and mesh, less one; shaded: found by bisection."""
+    ax.axvspan(-STEP_FOUND, STEP_FOUND, color="0.9", lw=0.0, zorder=0)
+    ax.axvline(0.0, color="0.4", lw=1.2)
+    names = _in_words(ratio["variant"].values)
+    for row, of in enumerate(ratio.values):
+        shown = 100.0 * (of[np.isfinite(of)] - UNSAFE)
+        ax.plot(shown, np.full(len(shown), row), "o", ms=6, mfc="none", color=colours[row], label=names[row])
+    ax.set_yticks(range(len(names)), names, fontsize="small")
+    for label, row in zip(ax.get_yticklabels(), range(len(names)), strict=True):
+        label.set_color(legible(colours[row]))
+    ax.set_ylim(len(names) - 0.5, -0.5)
+    low, high = ax.get_xlim()
+    ax.set_xlim(min(low, -LEAST), max(1.1 * high, LEAST))
+    ax.set_xlabel("measured / predicted − 1 (%)")
+    panel_title(ax, "shaded: resolution of the bisection")
 
 
 def _name_ends(figure: Figure, ax: Axes, ends: list[tuple[float, float, str, str]]) -> None:
@@ -61,7 +85,7 @@ def _name_ends(figure: Figure, ax: Axes, ends: list[tuple[float, float, str, str
     for (x, y, name, colour), level, moved in zip(ends, levels, spread(levels, heights), strict=True):
         ax.annotate(
             name, (x, y), xytext=(9, float(moved - level)), textcoords="offset points", va="center",
-            fontsize="small", color=legible(colour),
+            fontsize="small", color=legible(colour), in_layout=False,
         )  # fmt: skip
 
 
@@ -80,9 +104,15 @@ def _coinciding(stable_step: xr.Dataset) -> list[list[int]]:
 
 
 def _named(variants: list[str]) -> str:
-    """Names of variants, in lines of three."""
-    words = [variant.replace(" x", " × ") for variant in variants]
-    return ",\n".join(", ".join(words[k : k + 3]) for k in range(0, len(words), 3))
+    """Names of up to two variants; of more, the first and their number, since the other panel names all."""
+    words = _in_words(variants)
+    if len(words) <= 2:
+        return ", ".join(words)
+    return f"{words[0]} and {len(words) - 1} others,\nsame colour in (b)"
+
+
+def _in_words(variants: Iterable[str]) -> list[str]:
+    return [str(variant).replace(" x", " × ") for variant in variants]
 
 
 def _differs(ratio: xr.DataArray) -> str:
@@ -104,4 +134,4 @@ def answer(ratio: xr.DataArray) -> str:
     others = [dim for dim in ratio.dims if dim != "variant"]
     off = (abs(ratio - UNSAFE) >= ALIKE / 100.0).any(others)
     alike = int((~off).sum())
-    return f"The predicted stable step is as measured in {alike} of {off.size} variants, never too long"
+    return f"The predicted stable step is safe, and as measured in {alike} of {off.size} variants"
