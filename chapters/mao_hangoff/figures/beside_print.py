@@ -8,18 +8,16 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.ticker import MaxNLocator
 
 from chapters.mao_hangoff.figures.colours import OF_WEIGHT
 from chapters.mao_hangoff.runs import PRINTED as NUMBERS
 from chapters.mao_hangoff.runs import distance, largest, misses_of_print
-from riserstudy.figures.insets import enlarge
 from riserstudy.figures.style import GREY, PRINTED, headline, key_below, panel_title, panels
 
 MARKS = ("o", "s", "^", "D", "v", "P")
-NEAR = (0.14, 0.09, 0.44, 0.22)  # empty part of a panel, for an enlarged part
-AROUND = 0.25  # half size of it, as share of nearest distance and of printed growth
 NEAREST = "nearest to all three numbers"
-HOLLOW: dict[str, Any] = {"ls": "none", "ms": 4, "mfc": "none", "mew": 0.8}
+HOLLOW: dict[str, Any] = {"ls": "none", "ms": 4.5, "mfc": "none", "mew": 0.9}
 STAR: dict[str, Any] = {"marker": "*", "ms": 10, "mec": "white", "mew": 0.8}  # the printed numbers
 RING: dict[str, Any] = {"color": "black", "marker": "o", "ms": 13, "mfc": "none", "ls": "none"}
 
@@ -46,11 +44,7 @@ def readings(readings: xr.Dataset, heavy: float, light: float, moment: float, wi
     _two_way_key(figure, weights, flows, _printed(heavy, light, moment), _name_of(nearest))
     colour = weights[str(nearest["riser_weight"].item())]
     _ring(axes, nearest, MARKS[flows.index(str(nearest["flow"].item()))], colour)
-    x, ratio = float(nearest["x"]), float(nearest["ratio"])
-    up = (light / heavy - 1.0) * AROUND
-    inset = enlarge(axes[1], NEAR, ((1.0 - AROUND) * x, (1.0 + AROUND) * x), (ratio - up, ratio + up))
-    title = inset.set_title("enlarged: ratio over displacement (m)", fontsize="x-small", pad=5.0)
-    title.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.5})  # hides lines of the panel
+    _name_nearest(axes, nearest)
     headline(figure, _how_near(misses, within, "interpretations"))
     return figure
 
@@ -74,6 +68,20 @@ def _ring(axes: list[Axes], nearest: xr.Dataset, mark: str, colour: str) -> None
         ax.plot(nearest["x"], nearest[name], **on_top)
 
 
+def _name_nearest(axes: list[Axes], nearest: xr.Dataset) -> None:
+    """Write the numbers of the nearest in the empty part of each panel."""
+    x, moment, ratio = (float(nearest[name]) for name in ("x", "moment", "ratio"))
+    texts = (
+        (f"nearest: {x:.1f} m, {moment:.0f} kN m", moment, (0.97, 0.05)),
+        (f"nearest: {x:.1f} m, ratio {ratio:.3f}", ratio, (0.97, 0.07)),
+    )
+    for ax, (text, y, place) in zip(axes, texts, strict=True):
+        ax.annotate(
+            text, (x, y), xytext=place, textcoords="axes fraction", ha="right", va="center", fontsize="small",
+            arrowprops={"arrowstyle": "-", "lw": 0.7, "shrinkB": 8.0, "relpos": (0.0, 0.5)}, zorder=4,
+        )  # fmt: skip
+
+
 def _how_near(misses: xr.Dataset, within: float, label: str) -> str:
     """Title: the count that is within a share of all three numbers, or else the error of the nearest."""
     three = misses[list(NUMBERS)].to_dataarray("number")
@@ -87,7 +95,7 @@ def _how_near(misses: xr.Dataset, within: float, label: str) -> str:
 
 def _printed(heavy: float, light: float, moment: float) -> str:
     """Name of the lines of the three printed numbers."""
-    return f"printed: {heavy:g} m, {moment:g} kN m, ratio {light / heavy:.3f}"
+    return f"published: {heavy:g} m, {moment:g} kN m, ratio {light / heavy:.3f}"
 
 
 def _two_way_key(
@@ -147,6 +155,7 @@ def _around_print(
     for ax, (name, right, bottom, top) in zip(axes, _frames(heavy, light, moment), strict=True):
         ax.set_xlim(-0.1 * heavy, right)
         ax.set_ylim(bottom, top)
+        ax.yaxis.set_major_locator(MaxNLocator(10, steps=[1, 2, 5, 10]))
         outside = _beyond(found, name, right, bottom, top)
         beyond = int(outside.sum())
         seen = f"{outside.size - beyond} of {outside.size}" if beyond else f"all {outside.size}"
@@ -158,7 +167,7 @@ def _frames(heavy: float, light: float, moment: float) -> tuple[tuple[str, float
     growth = light / heavy - 1.0
     return (
         ("moment", 4.1 * heavy, 0.0, 4.2 * moment),
-        ("ratio", 4.1 * heavy, 1.0 - growth, 1.0 + 2.0 * growth),
+        ("ratio", 4.1 * heavy, 1.0 - 0.35 * growth, 1.0 + 2.0 * growth),
     )
 
 
@@ -176,7 +185,12 @@ def _coloured(readings: xr.DataArray) -> dict[str, str]:
 def _compare_with_print(heavy: float, light: float, moment: float) -> tuple[Figure, list[Axes]]:
     figure, axes = panels(1, 2, 4.6, sharex=True)
     labels = ("largest moment at 130 s (kN m)", "displacement astern, 120 t / 140 t")
-    for ax, label, printed in zip(axes, labels, (moment, light / heavy), strict=True):
+    names = (f"published: {moment:g} kN m", f"published: {light / heavy:.3f}")
+    for ax, label, printed, name in zip(axes, labels, (moment, light / heavy), names, strict=True):
+        ax.annotate(
+            name, (0.98, printed), xycoords=("axes fraction", "data"), xytext=(0, 2), ha="right", va="bottom",
+            textcoords="offset points", fontsize="small",
+        )  # fmt: skip
         ax.axhline(printed, **PRINTED)
         ax.axvline(heavy, **PRINTED)
         ax.plot(heavy, printed, label=_printed(heavy, light, moment), zorder=4, **PRINTED, **STAR)

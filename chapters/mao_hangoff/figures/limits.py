@@ -16,15 +16,13 @@ from matplotlib.ticker import NullFormatter
 from numpy.typing import NDArray
 
 from chapters.mao_hangoff.figures.colours import OF_INPUT
-from riserstudy.figures.direct import label_ends
-from riserstudy.figures.style import GREY, headline, legend_below, panel_title, panels, shades
+from riserstudy.figures.direct import label_ends, label_line
+from riserstudy.figures.style import GREY, headline, legend_below, mosaic, panel_title, panels, shades
 from riserstudy.scene.origin import unwrap
 
-PERIODS = (5.0, 8.0)  # s, of heave: the least, and one at which heavy risers keep positive tension
 HUNG = {"hard": "locked to the platform", "soft": "on tensioners"}
 MARKS = ("o", "s", "^", "v")  # of limits; the last if no limit is reached
 KEPT, LOST = "Blues", "Oranges"  # of tension ranges
-HEAVES = "Purples_r"  # of heave amplitudes; the least is the worst
 SHADES = 128  # of a colour bar
 
 
@@ -104,11 +102,11 @@ def _slowest_and_fastest(speed_limits: xr.Dataset, names: list[str]) -> str:
 
 
 def hang_off(tension_limits: xr.Dataset) -> Figure:
-    """Top tension range over heave, soft and hard; least heave with negative tension, hard, by riser.
+    """Top tension range over heave, soft and hard; least heave with negative tension, hard, by LMRP mass.
 
     The title is about the heaviest LMRP, which the upper panels show.
     """
-    figure, axes = panels(2, 2, 3.6)
+    figure, axes = mosaic(["a b", "c c"], [3.5, 3.1])
     of_paper = tension_limits.isel(riser_length=-1, lmrp_mass=-1)
     spread = of_paper["tension_range"].transpose("mode", "heave_amplitude", "heave_period") / 1e6
     norm = LogNorm(float(spread.min()), float(spread.max()))
@@ -121,19 +119,49 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         ax.set_xlabel("heave period (s)")
         ax.set_ylabel("heave amplitude (m)")
     _two_scales(_bar(figure, axes[:2], norm, LOST, "range of top tension (MN)", 8.0), norm)
-    lost = tension_limits["heave_that_loses_tension"].transpose(..., "lmrp_mass", "riser_length")
-    most = float(tension_limits["heave_amplitude"].max())
-    for ax, wanted in zip(axes[2:], PERIODS, strict=True):
-        hard = lost.sel(mode="hard").sel(heave_period=wanted, method="nearest")
-        _cells(ax, hard, Normalize(0.0, most), colours=HEAVES)
-        period = float(hard["heave_period"])
-        panel_title(ax, f"locked, heave of {period:g} s, all risers")
-        ax.set_xlabel("riser length (m)")
-        ax.set_ylabel("LMRP mass (t)")
-    label = "amplitude for negative tension (m)\n(smaller is worse)"
-    _bar(figure, axes[2:], Normalize(0.0, most), HEAVES, label)
+    lost = tension_limits["heave_that_loses_tension"]
+    _negative_from(axes[2], lost.sel(mode="hard"), float(tension_limits["heave_amplitude"].max()))
     headline(figure, _where_negative(lost.isel(lmrp_mass=-1)))
     return figure
+
+
+def _negative_from(ax: Axes, lost: xr.DataArray, most: float) -> None:
+    """Least heave with negative tension over the period, by LMRP mass; NaN: above ``most`` (m)."""
+    masses = lost["lmrp_mass"].values
+    for k, (colour, mass) in enumerate(zip(shades(OF_INPUT["lmrp_mass"], len(masses)), masses, strict=True)):
+        one = lost.sel(lmrp_mass=mass)
+        low = one.min("riser_length")
+        high = one.fillna(most).max("riser_length").where(low.notnull())
+        period = one["heave_period"]
+        ax.fill_between(period, low, high, color=colour, alpha=0.2, lw=0.0)
+        (line,) = ax.plot(period, low, "o-", color=colour, ms=4, lw=1.5, label=f"{mass:g} t")
+        ends = np.flatnonzero(np.isfinite(low.values))
+        if len(ends):  # the shortest line is that of the heaviest LMRP, whose right side is crowded
+            side = (-7.0, 12.0) if k and k == len(masses) - 1 else (7.0, -3.0)
+            label_line(ax, line, ends[-1] / max(len(low) - 1, 1), side, va="center")
+    heaviest = lost.isel(lmrp_mass=-1)
+    if bool(heaviest.notnull().any()):
+        worst = heaviest.where(heaviest == heaviest.min(), drop=True)
+        length, at = (float(worst[axis][0]) for axis in ("riser_length", "heave_period"))
+        least = float(worst.min())
+        ax.plot(at, least, "o", ms=10, mfc="none", color="black", mew=1.2)
+        ax.annotate(
+            f"{_two_digits(least)} m: LMRP of {masses[-1]:g} t, riser of {length:g} m", (at, least),
+            xytext=(30.0, -12.0), textcoords="offset points", fontsize="small", va="center",
+            arrowprops={"arrowstyle": "-", "lw": 0.7, "shrinkB": 5.0},
+        )  # fmt: skip
+    ax.set_ylim(0.0, most)
+    ax.set_xticks(lost["heave_period"].values)
+    ax.set_xlim(float(lost["heave_period"].min()) - 0.5, float(lost["heave_period"].max()) + 0.5)
+    ax.text(
+        0.985, 0.07, f"no line: tension stays positive up to {most:g} m", transform=ax.transAxes, ha="right",
+        fontsize="small", color="0.3",
+    )  # fmt: skip
+    ax.set_xlabel("heave period (s)")
+    ax.set_ylabel("least heave amplitude\nwith negative tension (m)")
+    lengths = lost["riser_length"].values
+    bands = f"bands: risers of {lengths[0]:g} to {lengths[-1]:g} m"
+    panel_title(ax, f"{HUNG['hard']} (hard), by LMRP mass; {bands}")
 
 
 def _bar(
@@ -178,23 +206,14 @@ def _two_digits(value: float) -> str:
     return f"{value:#.2g}".removesuffix(".")
 
 
-def _cells(
-    ax: Axes, values: xr.DataArray, norm: Normalize, lost: xr.DataArray | None = None, colours: str = KEPT
-) -> None:
-    """A coloured table, one cell per pair of coordinates; NaN: beyond the scale."""
+def _cells(ax: Axes, values: xr.DataArray, norm: Normalize, lost: xr.DataArray) -> None:
+    """A coloured table, one cell per pair of coordinates; in other colours where tension is lost."""
     up, across = values.dims
-    kept = values if lost is None else values.where(~lost)
-    beyond = xr.where(values.isnull(), norm.vmax, np.nan)  # in the colour of the largest value shown
-    layers = ((kept, colours), (values.where(kept.isnull()), LOST), (beyond, colours))
-    for drawn, shade in layers:
-        ax.pcolormesh(drawn.values, norm=norm, cmap=shade, edgecolors="white")
-    for i, row in enumerate(values.values):
-        for j, value in enumerate(row):
-            share = 1.0 if np.isnan(value) else float(norm(value))
-            dark = share < 0.35 if colours.endswith("_r") else share > 0.6
-            colour = "white" if dark else "black"
-            text = f"> {norm.vmax:g}" if np.isnan(value) else _two_digits(value)
-            ax.text(j + 0.5, i + 0.5, text, ha="center", va="center", size="small", color=colour)
+    for drawn, colours in ((values.where(~lost), KEPT), (values.where(lost), LOST)):
+        ax.pcolormesh(drawn.values, norm=norm, cmap=colours, edgecolors="white")
+    for (i, j), value in np.ndenumerate(values.values):
+        colour = "white" if float(norm(value)) > 0.6 else "black"
+        ax.text(j + 0.5, i + 0.5, _two_digits(value), ha="center", va="center", size="small", color=colour)
     ax.set_xticks(np.arange(values.sizes[across]) + 0.5, [f"{x:g}" for x in values[across].values])
     ax.set_yticks(np.arange(values.sizes[up]) + 0.5, [f"{x:g}" for x in values[up].values])
     ax.grid(visible=False)
