@@ -205,7 +205,19 @@ def _one(scene: Resolved, limit: Limit, rows: list[dict[str, Any]], origin: str)
 
 
 def takes(scene: Resolved, limit: Limit) -> str:
-    """Sections that a limit applies to, if its name does not show them, and the side used between them."""
+    """Sections that a limit applies to, if its name does not show them, and the side used between them.
+
+    A disconnect ends the operations of all limits but those of the mode ``disconnect``, and not the run.
+    """
+    words = [_part(scene, limit)]
+    joined = limit.output in ("overpull", "lfj_angle") and math.isfinite(scene.lower_joint_until)
+    if scene.disconnect and limit.mode != "disconnect" and limit.side != "mean" and not joined:
+        words.append(f"includes the time after the disconnect at {scene.disconnect.at:.4g} s")
+    return "; ".join(filter(None, words))
+
+
+def _part(scene: Resolved, limit: Limit) -> str:
+    """The part of the riser, of its cylinders or of the run that a limit applies to."""
     if limit.side == "mean" and (times := _times_of_mean(scene, limit)):
         return times
     if limit.output == "stroke":

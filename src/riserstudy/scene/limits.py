@@ -57,7 +57,8 @@ class Limit(Strict):
     of``, followed by the name). For a group of consecutive sections, give the names of the lowest and the
     highest section (``[lowest, highest]``). By default, a limit applies to the whole riser. For tension and
     stress, the whole riser does not include the stack and the conductor below the flex joint. A disconnect
-    opens the lower flex joint, so a limit on the angle of this joint applies only until the disconnect. A
+    opens the lower flex joint, so a limit on the angle of this joint applies only until the disconnect. The
+    other outputs, except ``overpull``, include the time after a disconnect, whatever the mode of the limit. A
     smallest allowed ``tensioner_force`` does not apply to cylinders that have failed. The allowable value can
     have an origin, like any other value of a scene.
     """

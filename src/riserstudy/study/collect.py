@@ -23,6 +23,7 @@ from riserstudy.records.warning import OF_ESTIMATE
 from riserstudy.records.words import counted
 from riserstudy.scene.paths import as_name
 from riserstudy.simulation.curve import at_stations, between_nodes, curve_of
+from riserstudy.simulation.until import LOWER_ANGLE, count_until
 from riserstudy.study import store
 from riserstudy.study.axes import Numbers, Samples
 from riserstudy.study.common_nodes import NODE_DIGITS, common_nodes
@@ -91,7 +92,7 @@ def _take(study: Study, points: list[Point], kept: dict[str, Result], shared: di
             facts = {
                 name: value if isinstance(value, float) else _once(shared, value)
                 for name, value in about.items()
-                if name in needed or (extremes and name in FACTS)
+                if name in needed or (extremes and name in FACTS) or name == "lower_joint_until"
             }
             arrays = {name: _once(shared, values) for name, values in stored.arrays.items()}
             kept[point.key] = Result(arrays, cast("RunFacts", facts))
@@ -197,9 +198,23 @@ def _layouts(results: list[Result]) -> list[list[int]]:
 
 
 def statistics(results: list[Result], keep: Collection[str] | None) -> dict[str, Any]:
-    """Statistics of the quantities of runs (``keep``: of these) over ``point``, at the nodes of each run."""
+    """Statistics of the quantities of runs (``keep``: of these) over ``point``, at the nodes of each run.
+
+    Those of the angle of a lower flex joint end with a disconnect, which opens the joint.
+    """
     wide = keep and with_envelopes(keep)
-    return as_variables([(of, of_runs(run)) for of, run in zip(*by_layout(results, wide), strict=True)])
+    layouts = zip(*by_layout([*map(_until_release, results)], wide), strict=True)
+    return as_variables([(of, of_runs(run)) for of, run in layouts])
+
+
+def _until_release(result: Result) -> Result:
+    """A run in which the angle of a lower flex joint is missing after a disconnect."""
+    end, arrays = result.facts.get("lower_joint_until"), result.arrays
+    if end is None or LOWER_ANGLE not in arrays or "time" not in arrays:
+        return result
+    joined = np.arange(len(arrays["time"])) < count_until(arrays["time"], end)
+    angle = np.where(joined, arrays[LOWER_ANGLE], np.nan)
+    return Result({**arrays, LOWER_ANGLE: angle}, result.facts)
 
 
 def by_layout(
