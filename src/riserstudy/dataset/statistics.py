@@ -121,13 +121,13 @@ def _highest(values: FloatArray) -> FloatArray:
     """Limit of values between outputs: they exceed outputs as a sine with four outputs in a period does.
 
     Impulses between outputs would otherwise make the spline oscillate. The limit is relative to the second
-    difference of the outputs on both sides.
+    difference of the outputs on both sides, of which a sine has the same sign. Beside a sudden change, such
+    as the failure of a cylinder, the signs differ, and nothing exceeds the outputs.
     """
     above = np.zeros_like(values)
     above[1:-1] = np.maximum(-np.diff(values, 2), 0.0)
-    room = values + EXCESS * above
-    of = np.maximum(room[:-1], room[1:])
-    return np.append(np.repeat(of, BETWEEN), room[-1])
+    of = np.maximum(values[:-1], values[1:]) + EXCESS * np.minimum(above[:-1], above[1:])
+    return np.append(np.repeat(of, BETWEEN), values[-1])
 
 
 def extremes(values: FloatArray) -> FloatArray:
