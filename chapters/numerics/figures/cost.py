@@ -196,10 +196,12 @@ def _label_short(ax: Axes, lines: list[Named]) -> None:
     The layout of the panels must be known.
     """
     for line in [line for line in lines if _is_short(line, lines)]:
+        line = line._replace(name=line.name.replace(": ", ":\n"))  # a narrow text covers less
         first, last = (line.x[0], line.y[0]), (line.x[-1], line.y[-1])
         places: list[tuple[Any, ...]] = [
             (first, (-7, 0), "right", "center"), (last, (7, 0), "left", "center"),
             (last, (0, 6), "center", "bottom"), (last, (0, -6), "center", "top"),
+            (first, (0, -6), "left", "top"),
         ]  # fmt: skip
         covered = []
         for place in places:
