@@ -8,6 +8,7 @@ from random_rigs import moving, written
 
 from riserstudy.advice.ablation import fixed
 from riserstudy.dataset.result import Result
+from riserstudy.scene.limits import ANGLES
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.remaining_error import estimate
@@ -51,6 +52,11 @@ def sizes(run, names):
     return max([*rows, *(float(one.max()) for one in every)])
 
 
+def of_joints(run, quantity, change):
+    """Relative differences of both flex joints: that of a joint is at least that of the other."""
+    return {joint: change / sizes(run, [joint]) for joint in ANGLES if quantity in ANGLES}
+
+
 def copied(run):
     """A run that can be changed without the other."""
     return Result({name: of.copy() for name, of in run.arrays.items()}, copy.deepcopy(run.facts))
@@ -70,6 +76,7 @@ def test_one_changed_value_is_the_difference_of_its_quantity_alone(run, seed):
     other.arrays[name][at] += change
     found = difference(other, run)
     expected = dict.fromkeys(found, 0.0) | {quantity: abs(change) / scale}
+    expected |= of_joints(run, quantity, abs(change))
     if quantity == "moment":  # the slope of the moment is the shear
         assert found["shear"] >= found["moment"]
         expected["shear"] = found["shear"]
@@ -85,7 +92,8 @@ def test_extremes_over_all_steps_count_at_places(run, seed):
     change = draw.uniform(-0.3, 0.3) * scale
     rows[draw.integers(len(rows))][str(draw.choice(["largest", "smallest"]))] += change
     found = difference(other, run)
-    assert found == pytest.approx(dict.fromkeys(found, 0.0) | {quantity: abs(change) / scale}, abs=1e-9)
+    expected = dict.fromkeys(found, 0.0) | {quantity: abs(change) / scale}
+    assert found == pytest.approx(expected | of_joints(run, quantity, abs(change)), abs=1e-9)
 
 
 @pytest.mark.parametrize("seed", range(9))
@@ -111,8 +119,8 @@ def test_of_runs_with_other_outputs_the_common_ones_are_compared(run, every, tur
     assert set(difference(*((run, few) if turned else (few, run))).values()) == {0.0}
     few.arrays["ufj_angle"] = few.arrays["ufj_angle"] + 0.5 * np.eye(len(few.arrays["time"]))[2]
     found = difference(*((run, few) if turned else (few, run)))
-    scale = sizes(few if turned else run, AT_A_PLACE["ufj_angle"])
-    assert found == pytest.approx(dict.fromkeys(found, 0.0) | {"ufj_angle": 0.5 / scale})
+    expected = of_joints(few if turned else run, "ufj_angle", 0.5)
+    assert found == pytest.approx(dict.fromkeys(found, 0.0) | expected)
 
 
 @pytest.mark.parametrize("seed", range(24))

@@ -10,7 +10,7 @@ import numpy as np
 
 from riserstudy.dataset.result import Result
 from riserstudy.records.arrays import Arrays, FloatArray
-from riserstudy.scene.limits import OF_ONE_PLACE
+from riserstudy.scene.limits import ANGLES, OF_ONE_PLACE
 from riserstudy.simulation.curve import SAME, at_stations, curve_of, largest_moment
 from riserstudy.simulation.section_forces import shear
 from riserstudy.simulation.vortex_vibration_statistics import (
@@ -98,28 +98,40 @@ def _vibrates(run: Result) -> bool:
 
 
 Pairs = Iterator[tuple[FloatArray, FloatArray]]
+List = list[tuple[FloatArray, FloatArray]]
 
 
 def _of_one_place(
-    coarse: Result, fine: Result, compared: Callable[[Result, Result, str], Pairs]
+    coarse: Result, fine: Result, compared: Callable[[Result, Result, str, float], Pairs]
 ) -> dict[str, float]:
     """Relative differences of angles, strokes and tensioner forces, by quantity, without those that are zero.
 
-    ``compared``: values of an output in both runs that are compared.
+    The difference of the angle of a flex joint that hardly moves is small by chance. It is therefore at least
+    that of the other joint, while both are joints.
+
+    Parameters
+    ----------
+    compared : values of an output in both runs that are compared, up to a time (s).
     """
     found: dict[str, float] = {}
     for key, names in OF_ONE_PLACE.items():
-        pairs = [pair for name in names for pair in compared(coarse, fine, name)]
-        found |= _relative(key, pairs, _rounding(key, fine.arrays))
+        until = _until(fine, key)
+        pairs = [pair for name in names for pair in compared(coarse, fine, name, until)]
+        others = [name for name in (ANGLES if key in ANGLES else ()) if name != key]
+        more = [pair for name in others for pair in compared(coarse, fine, name, until)]
+        found |= _relative(key, pairs, _rounding(key, fine.arrays), more)
     return found
 
 
-def _relative(key: str, pairs: list[tuple[FloatArray, FloatArray]], rounding: float) -> dict[str, float]:
-    """Largest difference of a quantity, divided by its largest value; empty if all values are zero."""
+def _relative(key: str, pairs: List, rounding: float, more: List | None = None) -> dict[str, float]:
+    """Largest difference of a quantity, divided by its largest value; empty if all values are zero.
+
+    ``more``: other values, whose differences count, too.
+    """
     scale = max((float(np.abs(up).max(initial=0.0)) for _, up in pairs), default=0.0)
     if not scale > rounding:
         return {}
-    off = max(float(np.abs(up - low).max(initial=0.0)) for low, up in pairs)
+    off = max(float(np.abs(up - low).max(initial=0.0)) for low, up in (*pairs, *(more or [])))
     return {key: off / scale if off > rounding else 0.0}
 
 
@@ -177,18 +189,18 @@ def _histories_of(arrays: Arrays) -> Arrays:
     }
 
 
-def _statistics(coarse: Result, fine: Result, name: str) -> Pairs:
-    """Statistics of an output of one place in both runs, from the start of the evaluated time on."""
-    since = fine.facts["vibration_since"]
+def _statistics(coarse: Result, fine: Result, name: str, end: float) -> Pairs:
+    """Statistics of an output of one place in both runs, over the evaluated time up to an end (s)."""
+    since, until = fine.facts["vibration_since"], min(end, _until(fine, name))
     if name in coarse.arrays and name in fine.arrays:
-        until = _until(fine, name)
         low, up = (
             run.arrays[name][(run.arrays["time"] >= since) & (run.arrays["time"] <= until)]
             for run in (coarse, fine)
         )
         if len(low) and len(up):
             yield np.array([low.mean(), low.std()]), np.array([up.mean(), up.std()])
-    yield from _both_extremes(coarse, fine, name)
+    if end >= _until(fine, name):  # extremes are those of all times at which the output counts
+        yield from _both_extremes(coarse, fine, name)
 
 
 def _shear(coarse: Arrays, fine: Arrays) -> float | None:
@@ -243,13 +255,14 @@ def _damage(coarse: Result, fine: Result) -> dict[str, float]:
     return {"damage": apart(coarse.arrays, fine.arrays)}
 
 
-def _values(coarse: Result, fine: Result, name: str) -> Pairs:
-    """An output of one place in both runs: at rest, over their common outputs, and its extremes."""
+def _values(coarse: Result, fine: Result, name: str, end: float) -> Pairs:
+    """An output of one place in both runs: at rest, over their common outputs to an end (s), its extremes."""
     low, up = coarse.arrays, fine.arrays
     if name + "_static" in low and name + "_static" in up:
         yield low[name + "_static"], up[name + "_static"]
-    yield from _over_common_outputs(low, up, name, _until(fine, name))
-    yield from _both_extremes(coarse, fine, name)
+    yield from _over_common_outputs(low, up, name, min(end, _until(fine, name)))
+    if end >= _until(fine, name):
+        yield from _both_extremes(coarse, fine, name)
 
 
 def _until(run: Result, name: str) -> float:

@@ -72,13 +72,29 @@ def one_per_interval(time: NDArray[np.datetime64], interval: float) -> NDArray[n
     """
     hours = np.append((time - time[:1]) / np.timedelta64(1, "s") / 3600.0 / interval, np.inf)
     kept = np.ones(len(time), bool)
-    for row in np.flatnonzero(np.diff(hours[:-1]) < 1.0 / FURTHER) + 1:
-        before = row - 1
-        while not kept[before]:
-            before -= 1
+    for row in map(int, np.flatnonzero(np.diff(hours[:-1]) < 1.0 / FURTHER) + 1):
+        before = _kept_before(kept, row)
         apart, without = hours[[row, row + 1]] - hours[before]
-        kept[row] = apart >= 1.0 / FURTHER or without > FURTHER
+        if apart >= 1.0 / FURTHER or without > FURTHER:
+            continue
+        # of the two rows that are close, the one that fits the usual interval less does not count
+        earlier = _kept_before(kept, before)
+        fits = [_unevenness(hours[[earlier, one, row + 1]]) for one in (row, before)]
+        kept[before if earlier >= 0 and fits[0] < fits[1] else row] = False
     return kept
+
+
+def _kept_before(kept: NDArray[np.bool_], row: int) -> int:
+    """The latest row before a row that counts; below 0: none."""
+    before = row - 1
+    while before >= 0 and not kept[before]:
+        before -= 1
+    return before
+
+
+def _unevenness(hours: NDArray[np.float64]) -> float:
+    """Largest deviation of the distances of successive rows from one interval; hours in intervals."""
+    return float(np.abs(np.diff(hours) - 1.0).max())
 
 
 def stretches(flags: NDArray[np.bool_], joined: NDArray[np.bool_]) -> NDArray[np.int64]:
