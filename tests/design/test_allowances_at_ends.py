@@ -36,7 +36,7 @@ def demand(file, offset, reach):
 @pytest.mark.parametrize("seed", [1, 3, 4])
 def test_the_allowance_of_an_end_is_that_of_a_run_in_the_sea_there(seed, spatial, output):
     """Tensioners are stiffer further out, and a riser under more tension moves less."""
-    tree = in_waves(seed, spatial, 31, "5 m", 20, 30.0, [0.1], [400])
+    tree = in_waves(seed, spatial, 31, "5 m", 20, 30.0, [0.1], [640])
     depth = -tree["water"]["seabed"]
     free = limited(tree, {output: 1e12}, UNITS)
     here = allowances(free, SEA, 1)[0]
