@@ -9,10 +9,9 @@ import numpy as np
 import xarray as xr
 from scipy.interpolate import make_interp_spline
 
+from riserstudy.dataset.statistics import BETWEEN, DEGREE
 from riserstudy.records.arrays import FloatArray
 
-DEGREE = 5  # of the spline
-BETWEEN = 16  # values of the spline in an interval of outputs
 AROUND = 6  # outputs before and after a period that the spline includes
 
 

@@ -102,7 +102,7 @@ def _marked(name: str, value: float | None, unit: str, mark: str) -> str:
     return f"{name} {amount(value, unit)}{mark}" if value else ""
 
 
-def _tells_contents(other: Section, section: Section) -> bool:
+def _states_contents(other: Section, section: Section) -> bool:
     """Return whether the label of another, longer section has the density of these contents."""
     if other.contents is None or section.contents is None or other.total_length <= section.total_length:
         return False
@@ -120,7 +120,7 @@ def _weight_text(section: Section, scene: Resolved, mark: Callable[[str], str]) 
     if full is None:
         return f"{empty}{where}" if empty else ""
     inside = f"contents of {full.density:.4g} kg/m³{mark('contents.density')}"
-    if any(_tells_contents(other, section) for other in scene.riser):
+    if any(_states_contents(other, section) for other in scene.riser):
         inside = "contents"
     if weight is None or gravity is None:
         return sentence([f"{empty}{where} without contents" if empty else "", inside])

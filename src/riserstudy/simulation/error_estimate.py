@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import chain
 
 import numpy as np
@@ -13,6 +13,7 @@ from riserstudy.records.arrays import Arrays, FloatArray
 from riserstudy.scene.limits import ANGLES, OF_ONE_PLACE
 from riserstudy.simulation.curve import SAME, at_stations, curve_of, largest_moment
 from riserstudy.simulation.section_forces import shear
+from riserstudy.simulation.until import LOWER_ANGLE
 from riserstudy.simulation.vortex_vibration_statistics import (
     NONE,
     Statistics,
@@ -97,8 +98,8 @@ def _vibrates(run: Result) -> bool:
     return "vibration_since" in run.facts and run.facts["vibration_rms"] > least
 
 
-Pairs = Iterator[tuple[FloatArray, FloatArray]]
-List = list[tuple[FloatArray, FloatArray]]
+Pair = tuple[FloatArray, FloatArray]
+Pairs = Iterator[Pair]
 
 
 def _of_one_place(
@@ -117,13 +118,13 @@ def _of_one_place(
     for key, names in OF_ONE_PLACE.items():
         until = _until(fine, key)
         pairs = [pair for name in names for pair in compared(coarse, fine, name, until)]
-        others = [name for name in (ANGLES if key in ANGLES else ()) if name != key]
-        more = [pair for name in others for pair in compared(coarse, fine, name, until)]
+        others = [name for name in ANGLES if key in ANGLES and name != key]
+        more = chain.from_iterable(compared(coarse, fine, name, until) for name in others)
         found |= _relative(key, pairs, _rounding(key, fine.arrays), more)
     return found
 
 
-def _relative(key: str, pairs: List, rounding: float, more: List | None = None) -> dict[str, float]:
+def _relative(key: str, pairs: list[Pair], rounding: float, more: Iterable[Pair] = ()) -> dict[str, float]:
     """Largest difference of a quantity, divided by its largest value; empty if all values are zero.
 
     ``more``: other values, whose differences count, too.
@@ -131,7 +132,7 @@ def _relative(key: str, pairs: List, rounding: float, more: List | None = None) 
     scale = max((float(np.abs(up).max(initial=0.0)) for _, up in pairs), default=0.0)
     if not scale > rounding:
         return {}
-    off = max(float(np.abs(up - low).max(initial=0.0)) for low, up in (*pairs, *(more or [])))
+    off = max(float(np.abs(up - low).max(initial=0.0)) for low, up in chain(pairs, more))
     return {key: off / scale if off > rounding else 0.0}
 
 
@@ -267,7 +268,7 @@ def _values(coarse: Result, fine: Result, name: str, end: float) -> Pairs:
 
 def _until(run: Result, name: str) -> float:
     """Time (s) until which an output counts: a disconnect ends the angle of a lower flex joint."""
-    return run.facts.get("lower_joint_until", math.inf) if name == "lfj_angle" else math.inf
+    return run.facts.get("lower_joint_until", math.inf) if name == LOWER_ANGLE else math.inf
 
 
 def _over_common_outputs(low: Arrays, up: Arrays, name: str, until: float = math.inf) -> Pairs:

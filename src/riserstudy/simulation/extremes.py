@@ -18,7 +18,7 @@ from riserstudy.simulation.section_forces import riser_foot
 from riserstudy.simulation.step_peaks import peaks_of, within
 from riserstudy.simulation.until import LOWER_ANGLE, until_release
 from riserstudy.simulation.wall_stress import nodes_of
-from riserstudy.simulation.working_cylinders import FORCE, smallest_pull
+from riserstudy.simulation.working_cylinders import FORCE, has_failures, smallest_pull
 
 # largest distance of an output from the extreme for its time to be used, as a share of the range
 NEAR = 0.02
@@ -74,7 +74,7 @@ def within_peaks(scene: Resolved, histories: Arrays, of: Seen, sizes: Collection
     An angle that ends with the release of its joint is limited until then. A cylinder may fail to zero.
     """
     peaks = dict(of.peaks)
-    if FORCE in peaks and smallest_pull(scene, {}, of.steps):
+    if FORCE in peaks and has_failures(scene):
         peaks[FORCE] = peaks[FORCE]._replace(smallest=min(peaks[FORCE].smallest, 0.0))
     limited = within(histories, peaks, sizes)
     held = until_release(scene, LOWER_ANGLE, histories)

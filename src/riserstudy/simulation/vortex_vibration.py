@@ -13,6 +13,7 @@ from riserstudy.records.arrays import FloatArray
 from riserstudy.records.warning import RunWarning, warning
 from riserstudy.scene.limits import OF_ONE_PLACE
 from riserstudy.scene.resolve import Resolved
+from riserstudy.simulation.until import LOWER_ANGLE
 from riserstudy.simulation.vortex_vibration_statistics import (
     FIELDS,
     NONE,
@@ -106,7 +107,7 @@ def enter(scene: Resolved, step: float, arrays: dict[str, FloatArray], facts: Ru
     facts["sampling_error"] = sampling(histories, arrays["s"], time, above, often)
     joined = late & (arrays["time"] <= scene.lower_joint_until)
     for key, names in OF_ONE_PLACE.items():
-        counts = joined if key == "lfj_angle" else late
+        counts = joined if key == LOWER_ANGLE else late
         known = int(counts.sum()) >= FEWEST
         late_values = [arrays[name][counts] for name in names if name in arrays and known]
         error = sampling_of_one_place(late_values, rounding_of(key, float(arrays["s"][-1])))

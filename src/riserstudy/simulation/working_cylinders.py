@@ -13,6 +13,12 @@ from riserstudy.simulation.until import count_until
 FORCE = "tensioner_force"
 
 
+def has_failures(scene: Resolved) -> bool:
+    """Whether a cylinder has failed, or fails during a run."""
+    rig = scene.top.tensioners
+    return rig is not None and bool(rig.failed or rig.failing)
+
+
 def while_working(rig: Tensioners, times: FloatArray) -> list[tuple[list[int], int]]:
     """Groups of cylinders that work, each with the number of times (s), (n,), until which they do."""
     groups = [([c for c, share in enumerate(rig.still_working) if share], len(times))]
@@ -27,7 +33,7 @@ def smallest_pull(scene: Resolved, arrays: Arrays, every_step: Arrays) -> dict[s
     Empty if no cylinder fails. ``every_step``: time and pulls of all steps; without them, outputs count.
     """
     rig = scene.top.tensioners
-    if rig is None or not (rig.failed or rig.failing):
+    if rig is None or not has_failures(scene):
         return {}
     by_steps = FORCE in every_step
     over_time = every_step if by_steps else arrays

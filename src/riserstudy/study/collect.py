@@ -83,8 +83,12 @@ def _take(study: Study, points: list[Point], kept: dict[str, Result], shared: di
     Equal values of many points are kept in memory once, by ``shared``. An error estimate that another study
     with the same point required is left out, because a dataset must not depend on other studies.
     """
-    extremes = limited(study)
-    needed = {column.fact for column in point_columns()}  # a few of the many facts of a point
+    # a few of the many facts of a point; statistics of the lower joint's angle end at the last one
+    needed = {
+        *(column.fact for column in point_columns()),
+        *(FACTS if limited(study) else ()),
+        "lower_joint_until",
+    }
     for point in points:
         stored = store.get(point.key, study.model.keep)
         if stored is not None and not lacks(study, point, stored):
@@ -92,7 +96,7 @@ def _take(study: Study, points: list[Point], kept: dict[str, Result], shared: di
             facts = {
                 name: value if isinstance(value, float) else _once(shared, value)
                 for name, value in about.items()
-                if name in needed or (extremes and name in FACTS) or name == "lower_joint_until"
+                if name in needed
             }
             arrays = {name: _once(shared, values) for name, values in stored.arrays.items()}
             kept[point.key] = Result(arrays, cast("RunFacts", facts))
