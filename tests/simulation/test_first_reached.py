@@ -76,5 +76,5 @@ def test_a_run_that_ends_before_a_limit_is_reached_is_within_it_and_one_that_end
 def test_a_history_without_values_does_not_say_never(stroke, reached):
     limits = [Limit.model_validate({"output": "stroke", "largest": "5 m", "mode": "connected"})]
     arrays = {"time": TIMES, "stroke": stroke}
-    (found,) = first_reached(SimpleNamespace(limits=limits), None, arrays, {}, {})
+    (found,) = first_reached(SimpleNamespace(limits=limits, connected_until=np.inf), None, arrays, {}, {})
     assert found.time == (reached if isinstance(reached, str) else pytest.approx(reached))

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from riserstudy.records.numerals import newtons, percent
 from riserstudy.records.words import listed
-from riserstudy.scene.limit_inputs import lacks, lacks_outputs, times_of_mean
+from riserstudy.scene.limit_inputs import lacks, lacks_outputs, last_time, times_of_mean
 from riserstudy.scene.limits import ALONG, ANGLES, OF_THE_RISER, SIGNED, UNITS, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.pressures import not_in_demand
@@ -32,7 +32,14 @@ MAGNITUDES = (*ANGLES, "shear")
 #: errors, these are the extremes of their outputs
 SCALES = {"displacement": "largest_displacement", "lift": "lift_max"}
 #: facts of a run that `checked` uses
-FACTS = ("extremes", "error_estimate", "sampling_error", "vibration_since", *SCALES.values())
+FACTS = (
+    "extremes",
+    "extremes_connected",
+    "error_estimate",
+    "sampling_error",
+    "vibration_since",
+    *SCALES.values(),
+)
 # smallest remainder of a value after subtraction of its error, as a share; below it, nothing is known
 LEAST_LEFT = 0.1
 # largest error on a prescribed mesh, as a share, with which the place or time of reaching a limit is known
@@ -67,10 +74,9 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
     An output whose error exceeds its value does not meet any limit. A tolerance does not limit the error of
     angles, shear, strokes, tensioner forces, overpull and clearance, and a prescribed mesh does not limit any
     error. An output therefore meets a limit only if it meets the limit with its estimated error added.
-    ``facts``: those of `FACTS` that the run has: its extremes, one row per output and place, and its
-    estimated errors.
+    Limits of operations that a disconnect ends apply until the disconnect. ``facts``: those of `FACTS` that
+    the run has: its extremes, one row per output and place, and its estimated errors.
     """
-    rows = facts.get("extremes", [])
     estimated = facts.get("error_estimate", {})
     errors = {k: v for k, v in estimated.items() if k not in NOT_LIMITED and v > 1.0}
     unknown = ", ".join(f"{name} {percent(value)}" for name, value in errors.items())
@@ -78,6 +84,9 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
     each = []
     for k, limit in enumerate(scene.limits or []):
         origin = file.origins.get(f"limits[{k}].{limit.side}") or file.origins.get(f"limits[{k}]")
+        rows = facts.get("extremes", [])
+        if limit.ends_with_disconnect:
+            rows = facts.get("extremes_connected", rows)
         one = _one(scene, limit, rows, origin.status if origin else plain)
         one = _with_error(one, facts, scene.analysis.mesh is not None)
         one = _with_mud_above(one, not_in_demand(scene, limit))
@@ -205,15 +214,13 @@ def _one(scene: Resolved, limit: Limit, rows: list[dict[str, Any]], origin: str)
 
 
 def takes(scene: Resolved, limit: Limit) -> str:
-    """Sections that a limit applies to, if its name does not show them, and the side used between them.
+    """Sections and times that a limit applies to, if its name does not show them, and the side between them.
 
     A disconnect ends the operations of all limits but those of the mode ``disconnect``, and not the run.
     """
-    words = [_part(scene, limit)]
-    joined = limit.output in ("overpull", "lfj_angle") and math.isfinite(scene.lower_joint_until)
-    if scene.disconnect and limit.mode != "disconnect" and limit.side != "mean" and not joined:
-        words.append(f"includes the time after the disconnect at {scene.disconnect.at:.4g} s")
-    return "; ".join(filter(None, words))
+    last = min(last_time(scene, limit), scene.lower_joint_until if limit.output == "lfj_angle" else math.inf)
+    until = f"until the disconnect at {last:.4g} s" if last < math.inf and scene.analysis.duration else ""
+    return "; ".join(filter(None, [_part(scene, limit), until]))
 
 
 def _part(scene: Resolved, limit: Limit) -> str:
@@ -255,7 +262,7 @@ def _cylinders(numbers: Sequence[int]) -> str:
 
 def _times_of_mean(scene: Resolved, limit: Limit) -> str:
     """Times that a mean is taken over, if these are not the whole run or include ramps."""
-    start, end, periods = times_of_mean(scene, limit.output)
+    start, end, periods = times_of_mean(scene, limit.output, last_time(scene, limit))
     if scene.built_up > start:
         return f"includes ramps, which end at {scene.built_up:g} s" if end else ""
     if periods:

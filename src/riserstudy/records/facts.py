@@ -213,8 +213,10 @@ class RunFacts(TypedDict, total=False):
     #: cost of each run of a refinement, and the reason for its end
     refinements: list[dict[str, Any]]
     ended_by: str
-    #: rows from `simulation.extremes`; the times at which limits are first reached, in the order of limits
+    #: rows from `simulation.extremes`, of the run and until a disconnect
     extremes: list[dict[str, Any]]
+    extremes_connected: list[dict[str, Any]]
+    #: the times at which limits are first reached, in the order of limits
     limits_reached: list[float | str]
     limits_reached_error: list[float]  # s, due to the interval of outputs along the riser
     largest_stroke: float  # m

@@ -28,3 +28,5 @@ class Seen:
     peaks: dict[str, Peak] = field(default_factory=dict)  # peaks of these values, by name
     # rotations of flex joints in space, at these steps, else at the outputs, (time, 3) rad, by name
     rotations: dict[str, NDArray[np.float64]] = field(default_factory=dict)
+    # envelopes at the nodes until a disconnect, (n + 1,), by name
+    connected: dict[str, NDArray[np.float64]] = field(default_factory=dict)

@@ -17,7 +17,7 @@ ROUNDING = 1e-9  # relative
 def lacks(scene: Parts, limit: Limit) -> list[str]:
     """What a scene lacks for the output of a limit; empty where the output can be computed."""
     name = limit.output
-    if limit.side == "mean" and (short := _lacks_period(scene, name)):
+    if limit.side == "mean" and (short := _lacks_period(scene, limit)):
         return short
     if name == "von_mises_stress":
         names = limit.sections([section.name for section in scene.riser])
@@ -37,6 +37,11 @@ class MeanTimes(NamedTuple):
     start: float
     end: float
     periods: int = 0  # number of whole periods that fit; 0 for other motion
+
+
+def last_time(scene: Parts, limit: Limit) -> float:
+    """Time until which a limit applies (s); infinite if it applies to a whole run."""
+    return scene.connected_until if limit.ends_with_disconnect else math.inf
 
 
 def times_of_mean(scene: Parts, output: str, last: float = math.inf) -> MeanTimes:
@@ -68,9 +73,12 @@ def lacks_outputs(scene: Parts) -> str:
     return f"an analysis.output.interval below half of the shortest period, {shortest:g} s"
 
 
-def _lacks_period(scene: Parts, output: str) -> list[str]:
+def _lacks_period(scene: Parts, limit: Limit) -> list[str]:
     """What a scene lacks for a mean over a periodic motion: a part of a period would give its phase."""
-    periods = scene.regular_periods
-    if not periods or not scene.analysis.duration or times_of_mean(scene, output).periods:
+    periods, last = scene.regular_periods, last_time(scene, limit)
+    if not periods or not scene.analysis.duration or times_of_mean(scene, limit.output, last).periods:
         return []
-    return [f"an analysis.duration with the longest period, {max(periods):g} s, after the ramps"]
+    whole = f"the longest period, {max(periods):g} s, after the ramps"
+    if last < scene.analysis.duration:
+        return [f"a later disconnect.at, with {whole}"]
+    return [f"an analysis.duration with {whole}"]

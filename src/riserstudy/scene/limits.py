@@ -29,6 +29,8 @@ ALONG = tuple(name for name in UNITS if QUANTITIES[name].along)
 #: outputs of which a limit without a place covers only the riser: stack and conductor are of other steel and
 #: stand on the seabed
 OF_THE_RISER = ("effective_tension", "von_mises_stress")
+#: results of a disconnect itself
+OF_A_DISCONNECT = ("overpull", "lmrp_clearance")
 SIDES = ("largest", "smallest", "mean")
 ENDS = ("lower end of ", "upper end of ")
 ABOVE = ", above water"  # suffix to the name of a section, for its part above the water surface
@@ -56,11 +58,13 @@ class Limit(Strict):
     ``at`` gives the place: a section (its name), or an end of a section (``lower end of`` or ``upper end
     of``, followed by the name). For a group of consecutive sections, give the names of the lowest and the
     highest section (``[lowest, highest]``). By default, a limit applies to the whole riser. For tension and
-    stress, the whole riser does not include the stack and the conductor below the flex joint. A disconnect
-    opens the lower flex joint, so a limit on the angle of this joint applies only until the disconnect. The
-    other outputs, except ``overpull``, include the time after a disconnect, whatever the mode of the limit. A
-    smallest allowed ``tensioner_force`` does not apply to cylinders that have failed. The allowable value can
-    have an origin, like any other value of a scene.
+    stress, the whole riser does not include the stack and the conductor below the flex joint. A disconnect in
+    a run ends the operations of the modes ``drilling`` and ``connected``, so their limits apply until the
+    disconnect, except limits on ``overpull`` and ``lmrp_clearance``. A limit of the mode ``disconnect``
+    includes the time after the disconnect. A disconnect opens the lower flex joint, so a limit on the angle
+    of this joint applies only until the disconnect, whatever its mode. A smallest allowed
+    ``tensioner_force`` does not apply to cylinders that have failed. The allowable value can have an origin,
+    like any other value of a scene.
     """
 
     output: str
@@ -126,6 +130,11 @@ class Limit(Strict):
     def side(self) -> str:
         """The one of ``largest``, ``smallest`` and ``mean`` that is given."""
         return next(side for side in SIDES if getattr(self, side) is not None)
+
+    @property
+    def ends_with_disconnect(self) -> bool:
+        """Whether it does not apply after a disconnect, which ends the operations of a connected riser."""
+        return self.mode != "disconnect" and self.output not in OF_A_DISCONNECT
 
     @property
     def allowable(self) -> float:

@@ -189,6 +189,11 @@ class Parts(Strict):
         return self.disconnect.at if self.disconnect and not inner else math.inf
 
     @property
+    def connected_until(self) -> float:
+        """Time at which a disconnect ends the operations of a connected riser (s); infinite without."""
+        return self.disconnect.at if self.disconnect else math.inf
+
+    @property
     def lateral(self) -> str:
         """The key of the scene that requires lateral freedom, "" when none does."""
         platform = self.platform or Platform()

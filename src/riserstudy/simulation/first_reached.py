@@ -12,6 +12,7 @@ from riserstudy.dataset.limits import sections_of
 from riserstudy.dataset.place_of_crossing import place_of_crossing
 from riserstudy.model.mesh import Mesh
 from riserstudy.records.arrays import Arrays, FloatArray
+from riserstudy.scene.limit_inputs import last_time
 from riserstudy.scene.limits import ALONG, SIGNED, Limit
 from riserstudy.scene.pressures import not_in_demand
 from riserstudy.scene.resolve import Resolved
@@ -59,6 +60,8 @@ def first_reached(
         allowable = limit.allowable + not_in_demand(scene, limit)
         time = place_of_crossing(sign * values, sign * allowable, times)
         word = UNKNOWN if math.isnan(time) else NEVER
+        if time > last_time(scene, limit):
+            time = math.inf
         error = 0.0 if by_steps else _error(times, values, time)
         found.append(Reached(time if math.isfinite(time) else word, error))
     return found

@@ -156,26 +156,31 @@ def empty_record(
 def histories(arrays: Arrays, model: Model, record: Record, of: Wanted) -> Arrays:
     """Histories at places or at nodes, and envelopes at all nodes."""
     names = quantities(model)
-    envelopes: Arrays = {"time": record.time}
+    ends = {"time": record.time} | envelopes(model, record)
     full: Arrays = {}
     for k, name in enumerate(names):
-        most, least = record.largest[k], record.smallest[k]
-        envelopes[name + "_max"], envelopes[name + "_min"] = most, least
         # values interpolated between steps may exceed the peaks of the parabolas by a third-order error
-        full[name] = np.clip(record.history[:, k, :], least[of.nodes], most[of.nodes])
+        least, most = (ends[name + side][of.nodes] for side in ("_min", "_max"))
+        full[name] = np.clip(record.history[:, k, :], least, most)
     if "mesh_flexibility" in arrays:
-        envelopes["mesh_moment_max"], envelopes["mesh_moment_min"] = (
+        ends["mesh_moment_max"], ends["mesh_moment_min"] = (
             side[len(names), :-1] for side in (record.largest, record.smallest)
         )
     if "mesh_above_ring_static" in arrays:
-        envelopes["mesh_above_ring"] = _above_ring(model, record)
+        ends["mesh_above_ring"] = _above_ring(model, record)
         most, least = record.largest[len(names), -1], record.smallest[len(names), -1]
-        envelopes["mesh_above_ring_absmax"] = np.maximum(abs(most), abs(least))
+        ends["mesh_above_ring_absmax"] = np.maximum(abs(most), abs(least))
     if len(names) < record.history.shape[1]:
         full["mesh_moment"] = record.history[:, len(names) :, :]
     if of.places is None:
-        return envelopes | full | {"s": arrays["s_node"]}
-    return envelopes | _at_places(arrays | envelopes, full, of.nodes, of.places)
+        return ends | full | {"s": arrays["s_node"]}
+    return ends | _at_places(arrays | ends, full, of.nodes, of.places)
+
+
+def envelopes(model: Model, record: Record) -> Arrays:
+    """Largest and smallest values of the quantities of a record at the nodes, (n + 1,)."""
+    sides = (("_max", record.largest), ("_min", record.smallest))
+    return {name + end: of[k] for k, name in enumerate(quantities(model)) for end, of in sides}
 
 
 def _at_places(arrays: Arrays, full: Arrays, nodes: NDArray[np.int64], places: FloatArray) -> Arrays:

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 import time as clock
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError, StepFailed, TakesTooLong
@@ -25,7 +25,7 @@ from riserstudy.simulation import audit, outputs, vortex_vibration
 from riserstudy.simulation.coupling import Sides, march_in_turns, sides_of
 from riserstudy.simulation.disconnect import enter_lift, rows_of_limits
 from riserstudy.simulation.equilibrium import settle
-from riserstudy.simulation.events import march_through
+from riserstudy.simulation.events import Marched, march_through
 from riserstudy.simulation.extremes import extremes, peaks_that_count, within_peaks
 from riserstudy.simulation.failure import why
 from riserstudy.simulation.first_reached import first_reached
@@ -36,6 +36,7 @@ from riserstudy.simulation.start import begin
 from riserstudy.simulation.step_peaks import room_for_steps, steps_of
 from riserstudy.simulation.time_limit import Watch, share
 from riserstudy.simulation.time_stepping import method_of, steps_in
+from riserstudy.simulation.until import until_disconnect
 from riserstudy.solve.evaluate import energies
 from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.program import Packed
@@ -156,8 +157,11 @@ def finish(scene: Resolved, mesh: Mesh, result: Result) -> Result:
     if scene.analysis.solver != "hermite":
         forces, histories_of = derived(scene, mesh, arrays, arrays.pop("mesh_moment_static", None))
         arrays |= forces
-        facts["extremes"] = extremes(scene, mesh, arrays, histories_of, seen)
-        facts["extremes"] += rows_of_limits(scene, facts)
+        of_limits = rows_of_limits(scene, facts)
+        facts["extremes"] = extremes(scene, mesh, arrays, histories_of, seen) + of_limits
+        if scene.disconnect and "time" in arrays:
+            facts["extremes_connected"] = _extremes_connected(scene, mesh, arrays, histories_of, seen)
+            facts["extremes_connected"] += of_limits
         if scene.limits and "time" in arrays:
             found = first_reached(scene, mesh, arrays, histories_of, seen.steps)
             facts["limits_reached"] = [one.time for one in found]
@@ -167,6 +171,15 @@ def finish(scene: Resolved, mesh: Mesh, result: Result) -> Result:
     steps = {name: values for name, values in seen.steps.items() if name in kept}
     result.seen = Seen(steps=steps, rotations=seen.rotations)
     return result
+
+
+def _extremes_connected(
+    scene: Resolved, mesh: Mesh, arrays: Arrays, histories: Arrays, of: Seen
+) -> list[dict[str, Any]]:
+    """Rows of extremes until the disconnect of a scene."""
+    arrays, histories, seen = until_disconnect(scene, arrays, histories, of)
+    seen.peaks = peaks_that_count(scene, seen) if "time" in seen.steps else {}
+    return extremes(scene, mesh, arrays, histories, seen)
 
 
 def fits(output: Output, duration: float, mesh: Mesh) -> bool:
@@ -211,12 +224,13 @@ def in_motion(
     record = outputs.empty_record(arrays, model, a.output, a.duration, of, section, room)
     before, terms = sum(energies(model.programs, model.state)), audit.terms_of_energy(model, arrays)
     with watch.over(record.value, sums):
-        model, outcome, taken = _by_method(scene, model, sides, mesh, step, record, sums, facts)
-    if outcome == STOPPED:
+        end = _by_method(scene, model, sides, mesh, step, record, sums, facts)
+    model = end.model
+    if end.outcome == STOPPED:
         raise TakesTooLong(f"stopped with {100 * share(record.value):.2g} % of the outputs written")
-    if outcome != DONE:
+    if end.outcome != DONE:
         raise StepFailed(why(model, mesh, sums))
-    after = sum(energies(model.programs, model.state)) + taken
+    after = sum(energies(model.programs, model.state)) + end.taken
     audit.energy(facts, sums, before, after, step, terms)
     if coupling:
         audit.exchange(facts, coupling)
@@ -224,6 +238,8 @@ def in_motion(
     histories |= outputs.over_time(scene, model, mesh, record.value, rest)
     seen = _seen(scene, model, mesh, record, rest, judged)
     histories |= envelopes_of(record.value)
+    if judged and end.connected:
+        seen.connected = outputs.envelopes(model, end.connected) | envelopes_of(end.connected)
     if judged:
         histories |= within_peaks(scene, histories, seen, ANGLES if len(model.s.dim) == 3 else ())
     enter_lift(scene, seen.steps or histories, facts)
@@ -239,8 +255,8 @@ def _by_method(
     record: Packed,
     sums: Sums,
     facts: RunFacts,
-) -> tuple[Model, int, float]:
-    """March through all time steps (s) by the scene's method: final model, result, energy removed (J).
+) -> Marched:
+    """March through all time steps (s) by the scene's method.
 
     ``sides``: riser and platform of a scene with ``vessel.coupling``.
     """
@@ -251,12 +267,12 @@ def _by_method(
         coupling = scene.vessel.coupling
         turn, _ = method_of(scene, mesh, step, len(sides.force.time) - 1)
         outcome, facts["coupling"] = march_in_turns(sides, coupling, turn, a.duration, record, sums)
-        return model, outcome, 0.0
+        return Marched(model, outcome)
     if a.method == "explicit":
         from riserstudy.simulation.stable_step import explicit_limit  # slow to load
 
         facts["stable_step"] = explicit_limit(scene, model)
-        return (model, explicitly(model, step, facts["stable_step"], a.duration, record, sums), 0.0)
+        return Marched(model, explicitly(model, step, facts["stable_step"], a.duration, record, sums))
     return march_through(scene, model, mesh, step, record, sums, facts)
 
 

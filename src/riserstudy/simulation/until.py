@@ -1,10 +1,12 @@
-"""The time until which an output counts, if an event of a run ends it."""
+"""Outputs of a run until an event that ends them, or that ends the operations of limits."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from riserstudy.records.arrays import Arrays, FloatArray
+from riserstudy.records.seen import Seen
+from riserstudy.scene.limits import UNITS
 from riserstudy.scene.resolve import Resolved
 
 LOWER_ANGLE = "lfj_angle"
@@ -26,3 +28,25 @@ def until_release(scene: Resolved, name: str, values: Arrays) -> Arrays:
     if count == len(values["time"]):
         return values
     return {**values, "time": values["time"][:count], name: values[name][:count]}
+
+
+def until_disconnect(
+    scene: Resolved, arrays: Arrays, histories: Arrays, of: Seen
+) -> tuple[Arrays, Arrays, Seen]:
+    """Arrays, histories and values of all steps, as arguments of `simulation.extremes`, until a disconnect.
+
+    ``histories``: histories that are not in ``arrays``.
+    """
+    times, end = arrays["time"], scene.connected_until
+    whole = {name: values for name, values in arrays.items() if not name.endswith(("_max", "_min"))}
+    over_time = {name: values for name, values in arrays.items() if name in ("time", *UNITS)}
+    held = whole | _until(over_time, times, end) | of.connected
+    every = of.steps.get("time", times)
+    seen = Seen(steps=_until(of.steps, every, end), rotations=_until(of.rotations, every, end))
+    return held, _until(histories, times, end), seen
+
+
+def _until(values: Arrays, times: FloatArray, end: float) -> Arrays:
+    """Arrays over times (s), (times, ...), up to an event (s)."""
+    count = count_until(times, end)
+    return {name: of[:count] for name, of in values.items()}

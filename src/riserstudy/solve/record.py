@@ -119,6 +119,11 @@ def new_record(time, station, s, middle=None, section=NO_SECTION, room=0) -> Pac
     return Packed(record)
 
 
+def with_present_envelopes(record: Record) -> Record:
+    """A record whose envelopes do not change when the march goes on."""
+    return record._replace(largest=record.largest.copy(), smallest=record.smallest.copy())
+
+
 def forget(record: Packed) -> None:
     """Keep only the last step, because forces have a kink or a jump there, due to an event."""
     record.value.seen[0] = min(record.value.seen[0], 1)
