@@ -22,6 +22,8 @@ from riserstudy.scene.resolve import Resolved
 FEWEST = 4  # smallest number of rows for a comparison
 # share of the riser's length within which two places are equal: the digits of a heading
 SAME = 1e-6
+# share of an interval of outputs or stations by which a written number is rounded
+ROUNDED = 1e-3
 WALL, EFFECTIVE = "wall_tension", "effective_tension"
 #: quantities that other programs define differently from a run
 OTHERWISE = {"end_force": "write `effective_tension at 0 m`, which is the force at that end"}
@@ -128,13 +130,14 @@ def _pair(run: xr.Dataset, scene: Resolved | None, path: Path, axis: str, column
     along, theirs = column.along, in_si(path, title, column.values, unit, stored)
     known = run[dim].values.astype(float)
     inside, left_out = _inside(along, known, axis)
-    along, theirs, notes = along[inside], theirs[inside], notes + left_out
+    along, theirs = np.clip(along[inside], known[0], known[-1]), theirs[inside]
+    notes += left_out
     if wall:
         added = _walls(run, scene, path, title, axis, place, along)
         theirs, notes = theirs + added.force, [*notes, *added.notes, *added.left_out]
         left_out += added.left_out
     mine = np.interp(along, known, ours.values.astype(float))
-    if not np.isin(along, known).all():
+    if not _at_known(along, known).all():
         notes.append(f"the run is interpolated over {axis}")
     there, without = _both(theirs, mine)
     notes, left_out = notes + without, left_out + without
@@ -178,11 +181,21 @@ def _sized(run: xr.Dataset, name: str) -> tuple[xr.DataArray, list[str]]:
 
 def _inside(along: FloatArray, known: FloatArray, axis: str) -> tuple[NDArray[np.bool_], list[str]]:
     """For each row, whether it is within the range of the run; a note on rows outside."""
-    inside = (along >= known[0]) & (along <= known[-1])
+    inside = (along >= known[0]) & (along <= known[-1]) | _at_known(along, known)
     if inside.all():
         return inside, []
     span = f"{axis} from {known[0]:g} to {known[-1]:g}"
     return inside, [f"left out: {int((~inside).sum())} of {len(along)} rows, beyond the run's {span}"]
+
+
+def _at_known(along: FloatArray, known: FloatArray) -> NDArray[np.bool_]:
+    """For each row, whether it is at a time or place of the run but for the rounding of a written number."""
+    if len(known) < 2:
+        return np.isin(along, known)
+    before = np.clip(np.searchsorted(known, along) - 1, 0, len(known) - 2)
+    interval = known[before + 1] - known[before]
+    apart = np.minimum(abs(along - known[before]), abs(along - known[before + 1]))
+    return np.asarray(apart <= ROUNDED * interval)
 
 
 def _both(theirs: FloatArray, ours: FloatArray) -> tuple[NDArray[np.bool_], list[str]]:
