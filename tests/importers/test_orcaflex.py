@@ -209,11 +209,11 @@ def test_a_ring_in_the_water_displaces_it_and_drags():
         "Name": "Ring", "BuoyType": "Lumped buoy", "Connection": "Free", "Mass": 15.0, "Volume": 2.0,
         "InitialPosition": [0, 0, -4], "DragArea": [3, 3, 8], "DragForceCoefficient": [1.2, 1.2, 1.5],
     }  # fmt: skip
-    body = ring_of(Part(buoy, "6DBuoys[Ring]", DECK), CALM)
+    body = ring_of(Part(buoy, "6DBuoys[Ring]", DECK), CALM, -4.0)
     assert body["displaced_volume"] == "2 m^3"
     assert body["drag_area"] == {"horizontal": "3.6 m^2", "vertical": "12 m^2"}
     with pytest.raises(InputError, match="along x and y"):
-        ring_of(Part(buoy | {"DragArea": [3, 4, 8]}, "6DBuoys[Ring]", DECK), CALM)
+        ring_of(Part(buoy | {"DragArea": [3, 4, 8]}, "6DBuoys[Ring]", DECK), CALM, -4.0)
 
 
 @pytest.mark.parametrize("seed", range(20))
@@ -229,14 +229,16 @@ def test_a_ring_is_given_by_three_numbers_or_refused(seed):
     }
     buoy = {"Name": "Ring", "BuoyType": "Lumped buoy", "Connection": "Free", "Mass": 15.0, "Volume": 2.0}
     buoy["InitialPosition"] = [0, 0, -4]
-    body = ring_of(Part(buoy | lists, "6DBuoys[Ring]", DECK), CALM)
+    body = ring_of(Part(buoy | lists, "6DBuoys[Ring]", DECK), CALM, -4.0)
     assert float(body["drag_area"]["horizontal"].split()[0]) == pytest.approx(across[0] * across[1], rel=1e-5)
     assert float(body["added_mass"]["vertical"].split()[0]) == pytest.approx(along[2] * along[3], rel=1e-5)
     for key, values in lists.items():
         for length in (1, 2, 4):
             with pytest.raises(InputError, match=f"{key}: the number of values is {length}"):
-                ring_of(Part(buoy | lists | {key: [*values, 1.0][:length]}, "6DBuoys[Ring]", DECK), CALM)
+                ring_of(
+                    Part(buoy | lists | {key: [*values, 1.0][:length]}, "6DBuoys[Ring]", DECK), CALM, -4.0
+                )
     for key in ("DragForceCoefficient", "AddedMassCoefficient"):
         without = {name: values for name, values in lists.items() if name != key}
         with pytest.raises(InputError, match=key):
-            ring_of(Part(buoy | without, "6DBuoys[Ring]", DECK), CALM)
+            ring_of(Part(buoy | without, "6DBuoys[Ring]", DECK), CALM, -4.0)

@@ -20,6 +20,10 @@ def slides_in(constraint: Part, ring: str) -> None:
     if _freedoms(constraint) != [2]:
         allowed = "free z alone, since a telescopic joint slides along its axis and does not turn"
         raise constraint.refused("DOFFree", _named(constraint), allowed)
+    x, y, _ = constraint.components("InFrameInitialPosition")
+    if x or y:
+        allowed = "write x = y = 0, since a telescopic joint slides on the axis of the riser"
+        raise constraint.refused("InFrameInitialPosition", f"x, y = {x:g}, {y:g} m", allowed)
     stiffness = constraint.optional("TranslationalStiffness")
     if stiffness:
         allowed = "write 0, since a telescopic joint of a scene slides freely"

@@ -19,6 +19,7 @@ from riserstudy.importers.orcaflex.constraints import turns_in
 from riserstudy.importers.orcaflex.deck import Part, q
 from riserstudy.importers.orcaflex.ends import GROUND, PLACE, rotation, upright
 from riserstudy.importers.orcaflex.left_out import left_out
+from riserstudy.importers.orcaflex.meeting import meet
 from riserstudy.importers.orcaflex.sea import Sea, current_of, sea_of, wave_of
 from riserstudy.importers.orcaflex.soil import same_soil, soil_of
 from riserstudy.importers.orcaflex.string import sections
@@ -90,6 +91,7 @@ def _tree(deck: Part, path: Path) -> dict[str, Any]:
     with deck.noting():
         current = current_of(environment)
     cast = roles(deck, _bearings(deck))
+    meet(cast)
     leave_out_points(deck, cast.nodes[1:-1])
     foot = _foot(deck, cast, sea)
     made = top_of(deck, cast, foot.elevation, sea)
@@ -147,6 +149,7 @@ def _foot(deck: Part, cast: Roles, sea: Sea) -> Foot:
             allowed = "clamp the lower end to this constraint at z = 0 of its frame"
             found = f"the lower end is connected to {end.to!r} at z = {end.z:g} m, or is not clamped to it"
             deck.note(line.part.refused(PLACE[0], found, allowed))
+        upright(line, end)
         to, z, turning = turns_in(joints[end.to])
         return Foot(z + (sea.seabed if to == "Anchored" else 0.0), turning)
     upright(line, end)

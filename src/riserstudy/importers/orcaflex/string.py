@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from riserstudy.importers.orcaflex.chain import Roles, depth
 from riserstudy.importers.orcaflex.deck import EMPTY, GUESS, Part, q
 from riserstudy.importers.orcaflex.ends import Line, in_series
+from riserstudy.importers.orcaflex.meeting import heights
 from riserstudy.importers.orcaflex.pipe import (
     across,
     along,
@@ -184,11 +185,13 @@ def _alongside(deck: Part, cast: Roles, bottom: float) -> list[tuple[Line, float
     """Return the lines along the riser, with the riser's elevations at their ends (m)."""
     lengths = [depth(line) for line in cast.riser[::-1]]
     levels = [round(bottom + sum(lengths[:k]), DECIMALS) for k in range(len(lengths) + 1)][::-1]
-    found = []
+    found, at = [], heights(cast)
     for line in cast.alongside:
         high = levels[cast.nodes.index(line.upper.to)] if line.upper.to in cast.nodes else levels[0]
         low = levels[cast.nodes.index(line.lower.to)] if line.lower.to in cast.nodes else levels[-1]
-        reach = (high + line.upper.z) - (low + (line.lower.z if low > levels[-1] else 0.0))
+        over = line.upper.z - at.get(line.upper.to, 0.0)
+        under = line.lower.z - at.get(line.lower.to, 0.0) if low > levels[-1] else 0.0
+        reach = (high + over) - (low + under)
         long = depth(line)
         with deck.noting():
             if not high > low or abs(long - reach) > SLACK * reach:

@@ -12,6 +12,7 @@ from riserstudy.importers.orcaflex.deck import CHANGE, Part, q
 from riserstudy.importers.orcaflex.ends import PLACE
 
 ALONG = "ConnectionzRelativeTo"
+SAME = 1e-6  # largest distance of points that count as equal (m)
 
 
 class Anchorage(NamedTuple):
@@ -23,6 +24,7 @@ class Anchorage(NamedTuple):
     ring: float  # elevation of the upper end, unstretched (m)
     top_end: str  # end of the line that is the upper one
     aside: float = 0.0  # x of the vertical axis for bearings and radii of deck points (m)
+    level: float = 0.0  # z of the upper end of the riser in the axes of the ring (m)
 
 
 class Pull(NamedTuple):
@@ -132,10 +134,14 @@ def _between(part: Part, of: Anchorage) -> tuple[tuple[float, float, float], flo
     points = part.figures(*PLACE[1:], idle=(PLACE[0], ALONG))
     ends = list(zip(names, points, strict=True))[:2]
     (deck, (x, y, z)), (ring, (a, b, c)) = ends if names[0] in of.decks else ends[::-1]
-    if deck not in of.decks or ring not in of.at_ring or c:
+    if deck not in of.decks or ring not in of.at_ring:
         found = f"the link or winch is connected from {deck!r} to {ring!r}"
         allowed = f"connect it from {' or '.join(of.decks)} to the upper end of the riser"
         raise part.refused(PLACE[0], found, allowed)
+    if abs(above := c - (0.0 if ring == of.line else of.level)) > SAME:
+        found = f"the link or winch ends {above:+.6g} m above the upper end of the riser"
+        allowed = "connect both at one z, since cylinders of a scene pull at the upper end of the riser"
+        raise part.refused(PLACE[3], found, allowed)
     _at_the_top(part, of)
     x -= of.aside
     inner, outer = (round(math.hypot(*place), 6) for place in ((a, b), (x, y)))

@@ -13,6 +13,7 @@ from riserstudy.importers.orcaflex.chain import Roles, depth
 from riserstudy.importers.orcaflex.constraints import guided_by, slides_in
 from riserstudy.importers.orcaflex.deck import Part, q
 from riserstudy.importers.orcaflex.ends import BENDING, GROUND, PLACE, Line, rotation, upright
+from riserstudy.importers.orcaflex.meeting import heights
 from riserstudy.importers.orcaflex.pipe import axial, contents_of, flexural, kind_of, lengths_of, mass_of
 from riserstudy.importers.orcaflex.sea import Sea
 from riserstudy.importers.orcaflex.tensioners import Anchorage, constant, fastened, tensioners
@@ -85,13 +86,14 @@ def _pulled(deck: Part, cast: Roles, bottom: float, pulling: list[Part], sea: Se
         raise line.part.refused(PLACE[0], "nothing pulls the free upper end", allowed)
     ring = bottom + sum(map(depth, cast.riser))
     decks = {"Fixed": 0.0} | {name: height_of(vessel) for name, vessel in vessels.items()}
-    anchorage = Anchorage({line.name, node}, line.name, decks, ring, line.part.text("TopEnd"))
+    level = heights(cast).get(node, 0.0)
+    anchorage = Anchorage({line.name, node}, line.name, decks, ring, line.part.text("TopEnd"), level=level)
     if node in rings:
         upright(line, line.upper)
     guide = deck.named("Constraints").get(node)
     if guide is not None:
         return _guided(deck, cast, guide, pulling, anchorage, sea)
-    body = ring_of(rings[node], sea) if node in rings else None
+    body = ring_of(rings[node], sea, ring) if node in rings else None
     if cast.joint is not None:
         return _jointed(deck, cast, pulling, anchorage, body, sea)
     tree: dict[str, Any] = {"x": "free", "z": "free", "rotation": "free"}
@@ -120,7 +122,7 @@ def _guided(deck: Part, cast: Roles, guide: Part, pulling: list[Part], of: Ancho
             tree["tensioners"] = rig
     bodies = [one for one in deck.parts("6DBuoys") if one.data.get("Connection") == guide.name]
     if bodies:
-        tree["body"] = ring_of(bodies[0], sea, on=guide.name)
+        tree["body"] = ring_of(bodies[0], sea, of.ring, on=guide.name)
     return Top(tree, vessels.get(on))
 
 
@@ -227,18 +229,24 @@ def _products(buoy: Part, key: str, coefficient: str) -> list[float]:
     return products
 
 
-def ring_of(buoy: Part, sea: Sea, on: str = "Free") -> dict[str, Any]:
+def ring_of(buoy: Part, sea: Sea, elevation: float, on: str = "Free") -> dict[str, Any]:
     """Return the tension ring as a body at the riser's end, from a lumped buoy with mass, volume and drag.
 
-    ``on``: object that the buoy is connected to; without a free buoy, elevations refer to this object.
+    Parameters
+    ----------
+    elevation : elevation of the riser's upper end (m). The initial position of a free buoy is only where the
+        statics of a deck begin.
+    on : object that the buoy is connected to.
     """
     buoy.demand("BuoyType", "Lumped buoy")
     buoy.demand("Connection", on)
     mass, volume = buoy.number("Mass"), buoy.number("Volume")
-    *_, height = buoy.vector("InitialPosition")
-    height = height if on == "Free" or not volume else -math.inf
+    if any(place := buoy.vector("InitialPosition")) and on != "Free":
+        found = f"the buoy is at x, y, z = {', '.join(f'{one:g}' for one in place)} m of {on!r}"
+        allowed = "write 0, since the body of a scene is at the upper end of the riser"
+        buoy.note(buoy.refused("InitialPosition", found, allowed))
     body: dict[str, Any] = {"name": buoy.text("Name"), "mass": q(mass, "t")}
-    if height >= sea.surface:
+    if elevation >= sea.surface:
         weight = q(mass * sea.gravity, "kN")
         body["submerged_weight"] = {"derived": weight, "from": "its mass: it is above the water"}
         return body
