@@ -17,6 +17,9 @@ from riserstudy.scene.units import GRAVITY
 SAME = 1e-6  # largest relative difference of numbers that count as equal
 FINE = 100  # segments along the riser, for a scene without a mesh
 STEEPER = 1e-3  # smallest weight that is reported (kN)
+#: Poisson's ratio with which pressures change no length in a deck: in a scene, the effective tension is EA
+#: times the strain; in a deck, (1 - 2 ratio) times the pressures on the areas of the pipe is added
+INCOMPRESSIBLE = 0.5
 
 Run = list[int]  # numbers of consecutive sections that form one line
 
@@ -84,7 +87,7 @@ def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
         entry |= {
             "Category": "Homogeneous pipe", "OD": own, "ID": section.inner_diameter or 0.0,
             "MaterialDensity": 1e-3 * section.mass / section.wall_area,
-            "E": 1e-3 * (section.young_modulus or 0.0), "PoissonRatio": 0.3,
+            "E": 1e-3 * (section.young_modulus or 0.0), "PoissonRatio": INCOMPRESSIBLE,
         }  # fmt: skip
         outer = own
     else:
@@ -98,7 +101,7 @@ def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
         axial, bending = section.elasticity
         entry |= {
             "Category": "General", "OD": outer, "ID": inner, "MassPerUnitLength": 1e-3 * section.mass,
-            "EI": [1e-3 * bending, None], "EA": 1e-3 * axial, "PoissonRatio": 0.3, "GJ": 80.0,
+            "EI": [1e-3 * bending, None], "EA": 1e-3 * axial, "PoissonRatio": INCOMPRESSIBLE, "GJ": 80.0,
             "StressOD": section.outer_diameter, "StressID": section.inner_diameter,
         }  # fmt: skip
         if own and abs(outer - own) > SAME * own:

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from riserstudy.export.deck import Deck
-from riserstudy.export.pipes import BENDING, ENDS, stiffness
+from riserstudy.export.pipes import BENDING, ENDS, INCOMPRESSIBLE, stiffness
 from riserstudy.model.tensioner_law import gas_force, linear_law, table_law
 from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.ends import Body, TelescopicJoint
@@ -99,7 +99,7 @@ def top(deck: Deck, rest: Rest) -> tuple[list[Any], float]:
         "InFrameInitialPosition": [offset, 0, rest.unstretched], **_sliding(),
     })  # fmt: skip
     if of.body:
-        _body(deck, of.body, SLIDE, 0.0)
+        _body(deck, of.body, SLIDE, rest.unstretched)
     pulls(deck, SLIDE, rest, along=None)
     if scene.top.x is None:
         deck.otherwise["top.x"] = "missing in the scene; OrcaFlex holds the upper end above the lower end"
@@ -157,7 +157,7 @@ def _joint(deck: Deck, joint: TelescopicJoint, offset: float, rest: Rest) -> Non
         barrel += " of the joint"
     deck.add("LineTypes", {
         "Name": barrel, "Category": "General", "OD": 0.5, "ID": 0.4, "MassPerUnitLength": 0.1,
-        "EI": [1e-3 * joint.bending_stiffness, None], "EA": 1e6, "PoissonRatio": 0.3, "GJ": 80.0,
+        "EI": [1e-3 * joint.bending_stiffness, None], "EA": 1e6, "PoissonRatio": INCOMPRESSIBLE, "GJ": 80.0,
         "Ca": [0, None, 0], "Cd": [0, None, 0],
     })  # fmt: skip
     deck.otherwise["top.telescopic_joint (inner barrel)"] = (
@@ -179,13 +179,19 @@ def _joint(deck: Deck, joint: TelescopicJoint, offset: float, rest: Rest) -> Non
         )
 
 
-def _body(deck: Deck, body: Body | None, on: str, height: float) -> None:
-    """Write a lumped buoy as the ring, with mass, volume and drag of the body at the ring."""
+def _body(deck: Deck, body: Body | None, on: str, elevation: float) -> None:
+    """Write a lumped buoy as the ring, with mass, volume and drag of the body at the ring.
+
+    Parameters
+    ----------
+    on : object that the buoy is connected to, at its origin; or ``Free``.
+    elevation : elevation of the upper end of the unstretched riser (m).
+    """
     mass, volume, name = LIGHT, 0.0, RING
     areas, added = [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]
     if body:
         mass = max(1e-3 * body.mass, LIGHT)
-        volume = _volume(deck, body, 1e3 * mass, height if on == "Free" else -math.inf)
+        volume = _volume(deck, body, 1e3 * mass, elevation)
         if body.drag_area:
             across, along = body.drag_area.horizontal or 0.0, body.drag_area.vertical or 0.0
             areas = [across, across, along]
@@ -195,6 +201,7 @@ def _body(deck: Deck, body: Body | None, on: str, height: float) -> None:
         deck.carried |= {"top.body"}
     else:
         deck.otherwise["top.body"] = f"absent: the ring of the deck has {1e3 * LIGHT:g} kg"
+    height = elevation if on == "Free" else 0.0
     deck.add("6DBuoys", {
         "Name": name, "BuoyType": "Lumped buoy", "Connection": on,
         "InitialPosition": [0, 0, height], "InitialAttitude": [0, 0, 0], "Mass": mass,
@@ -214,9 +221,14 @@ def _volume(deck: Deck, body: Body, mass: float, height: float) -> float:
     if lost < -UNEVEN * mass and not dry:
         found = "the submerged weight is more than the weight in air"
         raise deck.refused("top.body.submerged_weight", found, "correct mass or submerged_weight")
+    differs = []
     if (dry or lost < 0.0) and abs(lost) * GRAVITY > 1.0:
         where = "above the water" if dry else "without volume"
-        deck.otherwise["top.body"] = f"{where} the deck weighs its mass: {1e-3 * GRAVITY * lost:+.4g} kN"
+        differs.append(f"{where} the deck weighs its mass: {1e-3 * GRAVITY * lost:+.4g} kN")
+    if dry and (body.drag_area or body.added_mass):
+        differs.append("above the water it has neither drag nor added mass in OrcaFlex")
+    if differs:
+        deck.otherwise["top.body"] = "; ".join(differs)
     return lost / density if density and lost > 0.0 and not dry else 0.0
 
 
