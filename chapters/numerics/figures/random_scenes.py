@@ -25,21 +25,27 @@ def random_scenes(random_scenes: xr.Dataset) -> Figure:
     _costs(right, random_scenes)
     keys = [ax.get_legend_handles_labels() for ax in (left, right)]
     legend_below(figure, [*keys[0][0], *keys[1][0]], [*keys[0][1], *keys[1][1]], 2)
-    panel_title(left, f"error at a tolerance of {100 * float(random_scenes.attrs['requested']):g} %")
+    tolerance = f"error at a tolerance of {100 * float(random_scenes.attrs['requested']):g} %"
+    panel_title(left, "; ".join(filter(None, [tolerance, not_judged(random_scenes)])))
     panel_title(right, "work of all refinements")
     headline(figure, answer(random_scenes))
     return figure
 
 
 def answer(of: xr.Dataset) -> str:
-    """Title: number of scenes that meet their tolerance, and of scenes that are not judged."""
+    """Title: number of judged scenes that meet their tolerance."""
     requested, true = float(of.attrs["requested"]), of["true"].dropna("drawn")
-    met, left = int((true <= requested).sum()), of.sizes["drawn"] - true.size
+    met = int((true <= requested).sum())
     if not true.size:
-        return f"None of {left} random scenes could be judged"
+        return f"None of {of.sizes['drawn']} random scenes could be judged"
     many = f"All {met}" if met == true.size else f"{met} of {true.size}"
-    words = f"{many} {'judged ' if left else ''}random scenes meet their tolerance"
-    return f"{words}; {left} {'is' if left == 1 else 'are'} not judged" if left else words
+    return f"{many} {'judged ' if not_judged(of) else ''}random scenes meet their tolerance"
+
+
+def not_judged(of: xr.Dataset) -> str:
+    """Number of scenes without a true error, in words; empty if all have one."""
+    left = int(of["true"].isnull().sum())
+    return f"{left} scene{'s are' if left > 1 else ' is'} not judged" if left else ""
 
 
 def _errors(ax: Axes, of: xr.Dataset) -> None:
