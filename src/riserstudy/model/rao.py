@@ -21,14 +21,12 @@ from riserstudy.records.arrays import FloatArray
 from riserstudy.records.warning import RunWarning, Value, sentence, warning
 from riserstudy.scene.rao import TILTS, Operator, Response
 from riserstudy.scene.resolve import Resolved
-from riserstudy.scene.sea import Storm, Swell, Wave
+from riserstudy.scene.sea import Storm, Swell
 from riserstudy.scene.units import GRAVITY
 
 # largest plausible median ratio of angle to wave slope; degrees read as radians give about 57
 STEEP = 5.0
 TURNS = 4.0 * math.pi  # rad, largest plausible phase
-CLOSE = 1e-9  # headings closer than this (rad) are equal
-WIDEST = 0.5 * math.pi  # largest gap between headings over which R is interpolated (rad)
 PATH = "platform.response.operators"
 
 
@@ -49,32 +47,19 @@ def operator(
     R has the shape of the frequencies (rad/s), and is per metre of wave amplitude, in m/m or rad/m. Raises
     InputError when the operators do not cover the heading.
     """
-    tables = response.by_heading
-    if None in tables:
-        return _over_frequency(response, tables[None], motion, frequency)
-    turns = {
-        math.remainder(known, 2.0 * math.pi) + turn: rows
-        for known, rows in tables.items()
-        if known is not None
-        for turn in (-2.0 * math.pi, 0.0, 2.0 * math.pi)
-    }
-    heading = math.remainder(heading, 2.0 * math.pi)
-    below = max((known for known in turns if known <= heading + CLOSE), default=math.nan)
-    above = min((known for known in turns if known >= heading - CLOSE), default=math.nan)
-    if not above - below <= WIDEST + CLOSE:
+    parts = response.around(heading)
+    if not parts:
         listed = ", ".join(
-            f"{math.degrees(math.remainder(known or 0.0, 2.0 * math.pi)):g}" for known in tables
+            f"{math.degrees(math.remainder(known or 0.0, 2.0 * math.pi)):g}" for known in response.by_heading
         )
         raise InputError(
             "scene",
             PATH,
             "no two headings within 90 deg of each other enclose the direction of the waves, "
-            f"{math.degrees(heading):.4g} deg",
+            f"{math.degrees(math.remainder(heading, 2.0 * math.pi)):.4g} deg",
             f"add headings (present: {listed} deg)",
         )
-    share = (heading - below) / (above - below) if above - below > CLOSE else 0.0
-    ends = [_over_frequency(response, turns[known], motion, frequency) for known in (below, above)]
-    return np.asarray((1.0 - share) * ends[0] + share * ends[1])
+    return np.asarray(sum(w * _over_frequency(response, rows, motion, frequency) for w, rows in parts))
 
 
 def _over_frequency(
@@ -189,7 +174,7 @@ def harmonics(response: Response, wave: Swell | Storm, lag: FloatArray | float =
         allowed = "extend the operators, or give 'beyond: hold' (nearest value) or 'beyond: zero' (no motion)"
         outside = sentence(_uncovered(response, amplitude, frequency))
         raise InputError("scene", PATH, outside, allowed)
-    heading = (wave.heading if isinstance(wave, Wave) else response.heading) or 0.0
+    heading = response.heading_of(wave)
     share = np.where(beyond & (response.beyond == "zero"), 0.0, 1.0)
     operators = {name: share * operator(response, name, frequency, heading) for name in response.moving}
     # cos(w t - e + phi) as a sine

@@ -206,8 +206,7 @@ class Parts(Strict):
             "vessel": self.vessel,
             "soil": self.soil,
             "platform.pitch": platform.pitch,
-            "platform.response": platform.response
-            and ({"surge", "pitch"} & set(platform.response.moving) or None),
+            "platform.response": {"surge", "pitch"} & self._response or None,
             "platform.cruise": platform.cruise,
             "top.offset": self.top.offset,
             **{name: True for name, (_, aside) in self._pulls.items() if aside},
@@ -226,9 +225,8 @@ class Parts(Strict):
             for where, of in (("position.", platform.position), ("", platform))
             for name in ("sway", "roll", "yaw")
         }
-        moving = platform.response.moving if platform.response else []
-        if {"sway", "roll", "yaw"} & set(moving):
-            reasons["platform.response"] = moving
+        if aside := {"sway", "roll", "yaw"} & self._response:
+            reasons["platform.response"] = aside
         reasons |= {name: True for name, (even, _) in self._pulls.items() if not even}
         if self.current and (line := self.current.leaves_plane):
             reasons[f"current.{line}"] = True
@@ -240,6 +238,12 @@ class Parts(Strict):
         if any(section.viv for section in self.riser):
             reasons["riser.viv"] = True  # across the flow
         return next((name for name, value in reasons.items() if value is not None), "")
+
+    @property
+    def _response(self) -> set[str]:
+        """Motions of the platform in its waves; those whose operators are zero in these waves are none."""
+        response = self.platform and self.platform.response
+        return set(response.moves_in(response.wave or self.wave)) if response else set()
 
     @property
     def _pulls(self) -> dict[str, tuple[bool, bool]]:

@@ -12,7 +12,7 @@ from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE
-from riserstudy.scene.sea import Storm, Swell
+from riserstudy.scene.sea import Storm, Swell, Wave
 
 PLURAL = {"period": "periods", "frequency": "frequencies"}
 SHIFTS, TILTS = ("surge", "sway", "heave"), ("roll", "pitch", "yaw")
@@ -88,6 +88,8 @@ ENDS = Mirror(math.pi, ("surge", "pitch", "yaw"))
 MIRRORS = {None: 0, "sides": 1, "sides and ends": 2}
 
 
+WIDEST = 0.5 * math.pi  # largest gap between headings over which operators are interpolated (rad)
+NEAR = 1e-9  # rad, distance from a heading within which its operators are not interpolated
 CLOSE = 1e-6  # headings closer than this (rad) are equal, and frequencies closer than this share
 
 
@@ -117,7 +119,8 @@ class Response(Strict):
     default (``refuse``), the engine refuses waves outside the range. A warning states the share of the wave
     energy at periods outside the range. By default, the platform responds to the wave of the scene, without a
     ramp, in all motions for which the table gives RAOs. A wave that is given in ``response`` travels along x
-    by default.
+    by default. A motion whose RAOs are zero in waves of this direction is no motion: with a table of all six
+    motions, a riser in head seas can still be computed in a plane.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]
@@ -225,6 +228,40 @@ class Response(Strict):
         """Names of the motions that it gives, in their usual order."""
         wanted = set(self.motions) if self.motions else self.operators[0].motions
         return [name for name in MOTIONS if name in wanted]
+
+    def around(self, heading: float) -> list[tuple[float, list[Operator]]]:
+        """Operators at one or two headings with their weights, of which the operators at a heading (rad) are.
+
+        Empty if no two headings close enough enclose it.
+        """
+        tables = self.by_heading
+        if None in tables:
+            return [(1.0, tables[None])]
+        turns = {
+            math.remainder(known, 2.0 * math.pi) + turn: rows
+            for known, rows in tables.items()
+            if known is not None
+            for turn in (-2.0 * math.pi, 0.0, 2.0 * math.pi)
+        }
+        heading = math.remainder(heading, 2.0 * math.pi)
+        below = max((known for known in turns if known <= heading + NEAR), default=math.nan)
+        above = min((known for known in turns if known >= heading - NEAR), default=math.nan)
+        if not above - below <= WIDEST + NEAR:
+            return []
+        if above - below <= NEAR:
+            return [(1.0, turns[below])]
+        share = (heading - below) / (above - below)
+        return [(weight, turns[at]) for weight, at in ((1.0 - share, below), (share, above))]
+
+    def heading_of(self, wave: Wave | Swell | Storm | None) -> float:
+        """Direction in which the wave travels (rad); that of a wave in the response is in the response."""
+        return (wave.heading if isinstance(wave, Wave) else self.heading) or 0.0
+
+    def moves_in(self, wave: Wave | Swell | Storm | None) -> list[str]:
+        """Names of the motions that are not zero in a wave, in their usual order."""
+        parts = self.around(self.heading_of(wave))
+        rows = [row for weight, of in parts if weight for row in of] or self.operators
+        return [name for name in self.moving if any(getattr(row, name) for row in rows)]
 
 
 def _one_frequency(one: Operator, other: Operator) -> bool:
