@@ -23,6 +23,9 @@ from riserstudy.scene.rao import MOTIONS
 HEAVE = 3  # its mode
 COLUMNS = 7  # of a ``.4`` file
 SHORTEST = 4.0  # s: a file whose periods are all shorter probably has frequencies instead
+#: m per m of wave: what any platform surges, sways or heaves at some period; the motions of HAMS are divided
+#: by density times gravity, 1e4 N/m3
+LEAST = 1e-3
 
 
 class Row(NamedTuple):
@@ -39,7 +42,8 @@ def from_wamit(path: Path, length: float, first: Literal["period", "frequency"] 
 
     ``first``: whether the first column is the period (s) or the circular frequency (rad/s), WAMIT's input
     IPEROUT; None: the period, unless the numbers contradict it. Raises InputError when it is not such a file,
-    contradicts itself, is incomplete, or when its first column is probably not the period.
+    contradicts itself, is incomplete, has motions of another program, or when its first column is probably
+    not the period.
     """
     rows = [*_rows_of_wamit(path)]
     if first == "frequency":
@@ -56,9 +60,7 @@ def from_wamit(path: Path, length: float, first: Literal["period", "frequency"] 
     if len(values) < sum(row.mode <= 6 for row in waves):
         found = "two lines have the same period, heading and mode"
         raise InputError(path, "", found, "delete one of them")
-    if first is None and (why := _no_periods(values)):
-        allowed = "add --first-column period or --first-column frequency"
-        raise InputError(path, "the first column", why, allowed)
+    _refuse_others(path, values, first)
     headings = sorted({heading for heading, _, _ in values})
     periods = sorted({period for _, period, _ in values})
     modes = sorted({mode for *_, mode in values})
@@ -77,6 +79,21 @@ def from_wamit(path: Path, length: float, first: Literal["period", "frequency"] 
     names = [MOTIONS[mode - 1] for mode in modes]
     columns = ["period (s)", HEADING, *columns_of(names)]
     return once_a_turn(path, Operators(columns, table, "lead", left_out))
+
+
+def _refuse_others(path: Path, values: dict[tuple[float, float, int], complex], first: str | None) -> None:
+    """Refuse numbers that are probably not WAMIT's motions by period; by heading, period (s) and mode."""
+    shifts = [abs(value) for (*_, mode), value in values.items() if mode <= HEAVE]
+    if shifts and max(shifts) < LEAST:
+        found = f"surge, sway and heave are at most {max(shifts):.2g} m per m of wave"
+        allowed = (
+            "give motions of a floating platform; in its Wamit_format, HAMS writes motions divided by "
+            "density times gravity, with other phases than WAMIT's"
+        )
+        raise InputError(path, "the moduli", found, allowed)
+    if first is None and (why := _no_periods(values)):
+        allowed = "add --first-column period or --first-column frequency"
+        raise InputError(path, "the first column", why, allowed)
 
 
 def _no_periods(values: dict[tuple[float, float, int], complex]) -> str:
