@@ -30,7 +30,9 @@ POSITIVE = {
 }
 SYMMETRY = {"None": None, "xz plane": "sides", "xz and yz planes": "sides and ends"}
 ANGLES = {"degrees": "deg", "radians": "rad"}
-FROM = {"crest": 0.0, "trough": 180.0}  # codespell:ignore trough
+#: lag of each moment in a wave behind its crest (deg)
+FROM = {"crest": 0.0, "zero down-crossing": 90.0, "trough": 180.0}  # codespell:ignore trough
+FROM["zero up-crossing"] = 270.0
 TURN = 2.0 * math.pi
 
 
@@ -97,7 +99,6 @@ def platform_of(
             _bow_along_x(vessel)
     with deck.noting():
         if moves and sea:
-            vessel.idle("Length")
             origin, response = _operators(deck, vessel, sea, offset)
             if response:
                 aside = {name: q(at, "m") for name, at in zip("xy", origin, strict=False) if at}
@@ -177,6 +178,10 @@ def _operators(
     if name not in kinds:
         allowed = f"use one of {', '.join(kinds)}"
         raise vessel.refused("VesselType", f"the model has no vessel type {name!r}", allowed)
+    length = vessel.optional("Length")
+    if length not in (None, kinds[name].data.get("Length")):
+        found = f"{length} is not the length of the vessel type, so OrcaFlex scales its RAOs"
+        vessel.note(vessel.refused("Length", found, "write ~, and give a vessel type of this length"))
     draughts = {one.name: one for one in kinds[name].parts("Draughts")}
     draught = vessel.text("Draught")
     if draught not in draughts:
@@ -208,9 +213,9 @@ def _response(kind: Part, table: Part, crest: Crest) -> dict[str, Any] | None:
     turns = _choice(kind, "RAOResponseUnits", ANGLES)
     phases = _choice(kind, "RAOPhaseUnitsConvention", ANGLES)
     half = 180.0 if phases == "deg" else 3.141592653589793
-    half_a_turn = _choice(kind, "RAOPhaseRelativeToConvention", FROM) / 180.0 * half
     lead = _choice(kind, "RAOPhaseConvention", {"leads": "lead", "lags": "lag"})
     sign = (1.0 if lead == "lead" else -1.0) * half / math.pi
+    since = -sign * math.radians(_choice(kind, "RAOPhaseRelativeToConvention", FROM))
     symmetry = _choice(kind, "Symmetry", SYMMETRY)
     crest.check(symmetry)
     flipped = {}
@@ -227,7 +232,7 @@ def _response(kind: Part, table: Part, crest: Crest) -> dict[str, Any] | None:
                 one.otherwise[TABLE[0]] = f"its row at {period:g} is left out: no wave has this period"
                 continue
             circular = TURN / period if by[1] == "s" else period * (TURN if by[1] == "Hz" else 1.0)
-            later = half_a_turn + sign * crest.lead(math.radians(heading), circular)
+            later = since + sign * crest.lead(math.radians(heading), circular)
             operator: dict[str, Any] = {"heading": q(heading, "deg"), by[0]: q(period, by[1])}
             for k in moving:
                 motion, unit = MOTIONS[k], "m/m" if k < 3 else f"{turns}/m"
