@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Iterable, Sequence
 from itertools import product
 from textwrap import fill
@@ -19,6 +18,7 @@ from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
 from riserstudy.figures.names import in_words
 from riserstudy.figures.style import key_below, panels
+from riserstudy.figures.until_a_disconnect import limits_of_all_times
 from riserstudy.scene.limits import OF_THE_RISER, SIGNED
 
 #: dimensions that are not axes of the grid
@@ -101,11 +101,12 @@ def extreme(dataset: xr.Dataset, name: str) -> xr.DataArray:
 def _of_the_riser(dataset: xr.Dataset, quantity: str, ending: str) -> xr.DataArray | None:
     """The demand of a limit that applies to the riser alone; None if the dataset has no such limit.
 
-    An extreme with stack and conductor would not agree with the verdicts on this limit.
+    An extreme with stack and conductor would not agree with the verdicts on this limit. The demand of a limit
+    that ends with a disconnect is not the extreme of the run.
     """
     if quantity not in OF_THE_RISER or "demand_of_limit" not in dataset:
         return None
-    for k, row in enumerate(json.loads(dataset.attrs.get("limits", "[]"))):
+    for k, row in limits_of_all_times(dataset):
         if (row["output"], row["side"], row["at"]) == (quantity, OF_SIDES.get(ending), ""):
             return dataset["demand_of_limit"].isel(limit=k, drop=True)
     return None

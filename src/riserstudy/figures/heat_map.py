@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from typing import NamedTuple
 
 import xarray as xr
@@ -26,6 +25,7 @@ from riserstudy.figures.grid import (
 )
 from riserstudy.figures.range_graph import RED
 from riserstudy.figures.style import panel_title
+from riserstudy.figures.until_a_disconnect import limits_of_all_times
 from riserstudy.scene.limits import SIGNED
 from riserstudy.study.plots import EXTREMES
 
@@ -81,7 +81,10 @@ def _quantity(name: str) -> str:
 
 
 def _allowables(dataset: xr.Dataset, name: str) -> list[float]:
-    """Allowables of a quantity for the whole riser, in the reader's unit, on the side that is shown."""
+    """Allowables of a quantity for the whole riser, in the reader's unit, on the side that is shown.
+
+    The values that are shown do not tell whether a limit that ends with a disconnect is exceeded.
+    """
     quantity = _quantity(name)
     sides = {"": ("largest", "smallest"), "_max": ("largest",), "_min": ("smallest",)}
     # the magnitude has a limit of quantities whose sign is a convention, and of these alone
@@ -89,7 +92,7 @@ def _allowables(dataset: xr.Dataset, name: str) -> list[float]:
     factor = read_in(attributes(quantity).get("units", "")).factor
     levels = [
         factor * row["allowable"]
-        for row in json.loads(dataset.attrs.get("limits", "[]"))
+        for _, row in limits_of_all_times(dataset)
         if row["output"] == quantity
         and not row["at"]
         and row["side"] in side

@@ -23,6 +23,7 @@ class Span(NamedTuple):
     allowable: float  # in the SI unit of the output
     low: float  # arclength (m); infinite: the end of the riser
     high: float
+    until_disconnect: bool = False  # whether it does not apply after a disconnect in the run
 
 
 def limited_spans(run: xr.Dataset, output: str) -> list[Span]:
@@ -37,7 +38,11 @@ def limited_spans(run: xr.Dataset, output: str) -> list[Span]:
         known = [row for row in rows if not row["at"] and row["allowable"] is not None]
         return [Span(row["allowable"], -math.inf, math.inf) for row in known if row["output"] == output]
     limits = [one for one in scene.limits or [] if one.output == output and one.side != "mean"]
-    return [Span(limit.allowable, *_ends(scene, limit)) for limit in limits]
+    released = math.isfinite(scene.connected_until)
+    return [
+        Span(limit.allowable, *_ends(scene, limit), released and limit.ends_with_disconnect)
+        for limit in limits
+    ]
 
 
 def _ends(scene: Resolved, limit: Limit) -> tuple[float, float]:

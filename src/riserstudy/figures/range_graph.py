@@ -109,12 +109,14 @@ def _draw_limits(ax: Axes, run: xr.Dataset, name: str) -> None:
     for span in limited_spans(run, name):
         for sign in (1.0, -1.0) if name in SIGNED else (1.0,):
             value, ends = sign * factor * span.allowable, (along * span.low, along * span.high)
+            dash, until = (":", " until the disconnect") if span.until_disconnect else ("--", "")
             if math.isinf(span.low):
-                ax.axvline(value, color=RED, linestyle="--", linewidth=1.0, label="limit")
+                ax.axvline(value, color=RED, linestyle=dash, linewidth=1.0, label="limit")
             elif span.low == span.high:
-                ax.plot(value, ends[0], "x", color=RED, label="limit at one place")
+                mark = "+" if until else "x"
+                ax.plot(value, ends[0], mark, color=RED, label=f"limit at one place{until}")
             else:
-                ax.plot([value, value], ends, color=RED, linestyle="--", linewidth=1.0, label="limit")
+                ax.plot([value, value], ends, color=RED, linestyle=dash, linewidth=1.0, label=f"limit{until}")
 
 
 def _key(figure: Figure, axes: list[Axes]) -> None:
