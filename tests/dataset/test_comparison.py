@@ -7,6 +7,7 @@ import pytest
 import xarray as xr
 
 from riserstudy.dataset.comparison import Pair, compared, difference
+from riserstudy.dataset.unit_systems import UnitSystem, reading_in
 from riserstudy.errors import InputError
 from riserstudy.figures.comparison import comparison
 
@@ -145,6 +146,28 @@ def test_a_figure_has_a_panel_for_each_column(table):
         "(b) UFJ angle",
     ]
     assert [ax.get_ylabel() for ax in figure.axes] == ["kN", "deg"]
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_places_along_the_riser_are_in_the_units_that_are_asked_for(tmp_path, table, commands, seed):
+    """The largest difference is added at a place: in feet with kips, else in metres."""
+    rng = np.random.default_rng(seed)
+    s = np.sort(rng.uniform(0.0, 300.0, 12))
+    tension, k = rng.uniform(1e6, 2e6, 12), int(rng.integers(12))
+    other = tension - np.where(np.arange(12) == k, 4.4482216e6, 0.0)
+    data = {"effective_tension": ("s", tension, {"units": "N"})}
+    xr.Dataset(data, {"s": s}, {"title": "a run"}).to_netcdf(tmp_path / "run.nc", engine="netcdf4")
+    path, figure = table(["s (m)", "effective_tension (N)"], s, other), tmp_path / "both.png"
+    for units, place, size in (("us", f"{s[k] / 0.3048:.4g} ft", "1000"), ("field", f"{s[k]:.4g} m", "4448")):
+        code, said, _ = commands("compare", tmp_path / "run.nc", path, "-o", figure, "--units", units)
+        assert code == 0
+        assert place in said
+        assert size in said
+    pairs = compared(xr.Dataset(data, {"s": s}), path).pairs
+    with reading_in(UnitSystem.US):
+        (ax,) = comparison(pairs, "a run", "other.csv").axes
+    assert ax.get_xlabel() == "arclength from the bottom (ft)"
+    assert ax.lines[0].get_xdata() == pytest.approx(s / 0.3048)
 
 
 @pytest.mark.parametrize("seed", range(6))

@@ -10,7 +10,7 @@ import typer
 
 from riserstudy.cli.shared import AtOption, DatasetArgument, FigureOutput, UnitsOption, pairs, place_of, wrote
 from riserstudy.cli.targets import ForceOption, check_output
-from riserstudy.dataset.unit_systems import UnitSystem, read_in, reading_in
+from riserstudy.dataset.unit_systems import Reading, UnitSystem, read_in, reading_in
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -117,13 +117,13 @@ def _print(found: list[tuple[Pair, Difference]]) -> None:
     table = Table(*COLUMNS)
     for pair, off in found:
         scale, unit = read_in(pair.unit)
-        along = "s" if pair.axis == "time" else "m"
+        along = Reading(1.0, "s") if pair.axis == "time" else read_in("m")
         table.add_row(
             f"{pair.name} ({unit})",
             _number(scale * off.rms),
             "" if math.isnan(off.relative) else f"{_number(100.0 * off.relative)} %",
             _number(scale * off.largest),
-            f"{off.at:.4g} {along}",
+            f"{along.factor * off.at:.4g} {along.unit}",
             *(_number(scale * value) for value in (off.peak, off.low)),
             "" if math.isnan(off.lag) else f"{round(off.lag, 4) + 0.0:.3g} s",
             _number(scale * off.rms_in_phase),

@@ -21,15 +21,16 @@ def comparison(pairs: Sequence[Pair], title: str, other: str) -> Figure:
     """
     chosen = pairs[:MOST]
     figure, axes = panels(len(chosen), 1, 2.2, sharex=True)
+    length, unit_of_length = read_in("m") if pairs[0].axis == "s" else (1.0, "")
     for ax, pair in zip(axes, chosen, strict=True):
         factor, unit = read_in(pair.unit)
-        ax.plot(pair.along, factor * pair.ours, color=COLOURS[0], linewidth=1.2, label="run")
-        ax.plot(
-            pair.along, factor * pair.theirs, color=COLOURS[1], linestyle="--", linewidth=1.2, label=other
-        )
+        along = length * pair.along
+        ax.plot(along, factor * pair.ours, color=COLOURS[0], linewidth=1.2, label="run")
+        ax.plot(along, factor * pair.theirs, color=COLOURS[1], linestyle="--", linewidth=1.2, label=other)
         panel_title(ax, in_words(pair.name))
         ax.set_ylabel(unit if unit != "1" else "")
-    axes[-1].set_xlabel("time (s)" if pairs[0].axis == "time" else "arclength from the bottom (m)")
+    arclength = f"arclength from the bottom ({unit_of_length})"
+    axes[-1].set_xlabel("time (s)" if pairs[0].axis == "time" else arclength)
     key_below(figure, axes[-1], 2)
     headline(figure, f"{title} compared with {other}")
     return figure
