@@ -13,8 +13,9 @@ from riserstudy.grading.models import PrintedInput
 from riserstudy.grading.printed import printed_as, printed_inputs
 from riserstudy.records.units import after_number
 from riserstudy.records.words import counted, listed
+from riserstudy.report.set_by_options import set_by_options
 from riserstudy.scene.origin import CALLED
-from riserstudy.scene.paths import last_name, within, within_any
+from riserstudy.scene.paths import and_above, last_name, within_any
 from riserstudy.study.axes import Numbers
 from riserstudy.study.models import StudyFile
 from riserstudy.study.study import scene_file
@@ -97,25 +98,27 @@ def _values(
     name: str, dataset: xr.Dataset, file: StudyFile, config: Path, inputs: Printed
 ) -> dict[str, tuple[str, str, str]]:
     """Return value, status and evidence of every path of a dataset's scene."""
-    tree = json.loads(dataset.attrs["scene"])
-    origins = json.loads(dataset.attrs["origins"])
-    evidence = json.loads(dataset.attrs.get("evidence", "{}"))
+    of = set_by_options(dataset)
+    tree, origins = of.file.tree, of.file.origins
     listed = inputs(tree["paper"]) if tree.get("paper") else []
     plain = "published" if tree.get("paper") else "given"
     study = file.studies[name]
     written = flat(scene_file(config / study.scene).tree)
     numbers = {label: axis for label, axis in study.axes.items() if isinstance(axis, Numbers)}
-    varied = {path: label for label, axis in numbers.items() for path in axis.paths}
+    varied = {path: axis for path in flat(tree) if (axis := of.varied_by(path))}
+    varied |= {path: label for label, axis in numbers.items() for path in axis.paths}
     values = {}
     for path, value in flat(tree).items():
         if last_name(path) in CALLED:
             continue
-        origin = next((place for place in origins if within(path, place)), None)
+        origin = next((origins[place] for place in and_above(path) if place in origins), None)
         printed = printed_as(listed, path, value)
         if path in varied:
             values[path] = ("varied", "axis", varied[path])
         elif origin is not None:
-            values[path] = (value, origins[origin], evidence.get(origin, ""))
+            values[path] = (value, origin.status, origin.why or "")
+        elif alone := of.axis_of_one(path):
+            values[path] = (value, "axis", alone)
         elif printed is not None:
             values[path] = (value, plain, printed.where)
         elif within_any(path, study.on_top):
