@@ -6,6 +6,7 @@ undamped Newton steps. A current is applied in parts, after tension has straight
 
 from __future__ import annotations
 
+from contextlib import suppress
 from math import sqrt
 from typing import NamedTuple
 
@@ -17,6 +18,8 @@ from riserstudy.solve.jit import kernel
 from riserstudy.solve.program import Packed
 
 MOST_ITERATIONS = 200
+PARTS = 0.5, 0.25, 0.125  # of corrections, where whole ones alternate without end
+PATIENCE = 50  # iterations with a part of each correction, times that part
 
 
 class NoEquilibrium(Exception):
@@ -36,9 +39,10 @@ class Equilibrium(NamedTuple):
 
 
 @kernel
-def _newton(p, s, fixed, out, work, pseudo, limit):
+def _newton(p, s, fixed, out, work, pseudo, limit, most):
     """One damped iteration; returns residual force, its node, the correction, and negative pivots.
 
+    ``limit``: largest correction that is applied (m); ``most``: largest share of it.
     The residual is the largest, or the first that is not a number. A correction that is not finite, due to a
     singular tangent, is returned but not applied.
     """
@@ -67,7 +71,7 @@ def _newton(p, s, fixed, out, work, pseudo, limit):
         for c in range(d):
             square += out[i, m + c] ** 2
     correction = sqrt(square / (n + 1))
-    share = min(1.0, limit / correction) if correction > 0.0 else 1.0
+    share = min(most, limit / correction) if correction > 0.0 else most
     for i in range(n + 1 if correction < np.inf else 0):
         for u in range(m):
             s.moment[u, i] += share * out[i, u]
@@ -125,13 +129,15 @@ def unstable_directions(programs: Packed, state: Packed, fixed: np.ndarray) -> i
     s = state.value
     move_to(programs, state, s.clock[0])
     shape = s.r.shape[1], len(s.dof)
-    return int(
-        _newton(programs, state, fixed, np.zeros(shape), np.zeros((shape[0], shape[1] ** 2)), 0.0, 0.0)[3]
-    )
+    out, work = np.zeros(shape), np.zeros((shape[0], shape[1] ** 2))
+    return int(_newton(programs, state, fixed, out, work, 0.0, 0.0, 1.0)[3])
 
 
 def _search(programs, state, fixed, tolerance) -> Equilibrium:
-    """Newton's iteration; if it fails or ends at a saddle point, it is repeated with more damping."""
+    """Newton's iteration; if it fails or ends at a saddle point, it is repeated with more damping.
+
+    If that fails, too, it is continued with a part of each correction.
+    """
     s = state.value
     start = s.r.copy(), s.moment.copy()
     try:
@@ -144,11 +150,41 @@ def _search(programs, state, fixed, tolerance) -> Equilibrium:
     s.r[:], s.moment[:] = start
     try:
         return _iterate(programs, state, fixed, tolerance, cautious=True)
-    except NoEquilibrium:
+    except NoEquilibrium as failure:
         if bold is None:
-            raise
+            return _continue_in_parts(programs, state, fixed, tolerance, start, failure)
         equilibrium, s.r[:], s.moment[:] = bold
         return equilibrium
+
+
+def _continue_in_parts(programs, state, fixed, tolerance, start, failure) -> Equilibrium:
+    """Newton's iteration that applies a part of each correction, for cylinders near their stops.
+
+    Whole corrections can alternate between contact and no contact, and the tangent does not include that
+    stops at one side of the tension ring turn it back. The iteration continues from its present shape, which
+    is near an equilibrium if corrections alternate, and then from the shape at the start.
+    """
+    s = state.value
+    for _ in range(2):
+        for part in PARTS:
+            with suppress(NoEquilibrium):
+                return _iterate_in_part(programs, state, fixed, tolerance, part)
+        s.r[:], s.moment[:] = start
+    raise failure
+
+
+def _iterate_in_part(programs, state, fixed, tolerance, part) -> Equilibrium:
+    s = state.value
+    n, nb = s.r.shape[1], len(s.dof)
+    out, work = np.zeros((n, nb)), np.zeros((n, nb * nb))
+    limit = 0.1 * s.l0.sum()
+    for iteration in range(int(PATIENCE / part)):
+        residual, node, correction, negative = _newton(programs, state, fixed, out, work, 0.0, limit, part)
+        if not correction < np.inf:
+            break
+        if correction < 0.1 * tolerance:  # what the parts leave adds up
+            return Equilibrium(iteration + 1, float(residual), int(negative))
+    raise NoEquilibrium(int(node), float(residual), float(s.clock[1]))
 
 
 def _iterate(programs, state, fixed, tolerance, cautious) -> Equilibrium:
@@ -163,7 +199,7 @@ def _iterate(programs, state, fixed, tolerance, cautious) -> Equilibrium:
     limit = 0.1 * s.l0.sum()
     pseudo, first, before = 0.0, 0.0, np.inf
     for iteration in range(MOST_ITERATIONS):
-        residual, node, correction, negative = _newton(programs, state, fixed, out, work, pseudo, limit)
+        residual, node, correction, negative = _newton(programs, state, fixed, out, work, pseudo, limit, 1.0)
         if iteration == 0:
             first = max(residual, 1e-300)
             stiff = np.abs(s.k_segment).max() + np.abs(s.k_node).max()
