@@ -74,7 +74,8 @@ def test_offsets_are_those_of_a_dense_scan(scene, seed, added, beyond):
     ends = np.flatnonzero((excess[1:] > 0.0) != (excess[:-1] > 0.0))
     ends = np.r_[-math.inf, 0.5 * (scan[ends] + scan[ends + 1]), math.inf]
     tried = np.r_[[one for one in FIRST if one <= beyond], before]
-    best = min(tried, key=demand)
+    met = [one for one in FIRST if demand(one) + allowance <= ALLOWED and one <= beyond]
+    best = min(met, key=lambda one: (abs(one), demand(one)), default=min(tried, key=demand))
     if demand(best) + allowance > ALLOWED:  # between those that are tried first
         best = scan[scan <= beyond][excess[scan <= beyond].argmin()]
         if demand(best) + allowance > ALLOWED:
@@ -87,6 +88,17 @@ def test_offsets_are_those_of_a_dense_scan(scene, seed, added, beyond):
         return
     assert found.low == pytest.approx(low, abs=2.0 * CLOSE)
     assert found.high == pytest.approx(high, abs=2.0 * CLOSE)
-    met = [one for one in FIRST if demand(one) + allowance <= ALLOWED and one <= beyond]
     also = min((abs(one) for one in met if not low <= one <= high), default=math.nan)
     assert abs(found.also) == pytest.approx(also, nan_ok=True)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_limits_that_are_all_met_at_the_well_have_an_envelope_that_contains_it(scene, seed):
+    """Also if some of them are met elsewhere with a larger margin."""
+    draw, found = np.random.default_rng(seed), []
+    while len(found) < 5:
+        demand = drawn(draw)
+        if demand(0.0) > ALLOWED:
+            continue
+        found += offsets_at(Known(scene, demand, [], math.inf), [scene.limits[1]], REACH, {})
+    assert max(one.low for one in found) <= 0.0 <= min(one.high for one in found)

@@ -47,8 +47,9 @@ class Offsets(NamedTuple):
     """Offsets (m) between which a limit is met.
 
     Infinite: not reached within the search. NaN: exceeded at every offset, or not evaluated because of the
-    missing inputs in ``missing``. ``also``: an offset outside of these at which the limit is met, too, such
-    as on the other side of the well; NaN: at none of the first offsets of the search.
+    missing inputs in ``missing``. If the limit is met in several ranges, this is the one nearest to the well.
+    ``also``: an offset outside of it at which the limit is met, too, such as on the other side of the well;
+    NaN: at none of the first offsets of the search.
     """
 
     low: float
@@ -181,8 +182,8 @@ def _fine_enough(scene: Resolved, reach: float) -> Mesh:
     still = scene.replaced(analysis=scene.analysis.replaced(duration=None, accuracy=accuracy))
     meshes, why = [], None
     for offset in (0.0, -reach, reach):
-        refinement = Refinement(moved(still, offset))
         try:
+            refinement = Refinement(moved(still, offset))
             refinement.result()
         except SimulationError as failure:
             why = why or failure
@@ -206,7 +207,8 @@ def offsets_of(at: AtRest, limit: Limit, reach: float, allowance: Allowed) -> Of
         return Offsets(math.nan, math.nan, "a static equilibrium")
     try:
         tried = sorted(at.rows)
-        inside = best = min(tried, key=over)
+        best = min(tried, key=over)
+        inside = _nearest_to_well(over, at, first, best)
         if over(best) > 0.0:
             inside = _least(over, best, tried)
         if over(inside) > 0.0:
@@ -218,6 +220,16 @@ def offsets_of(at: AtRest, limit: Limit, reach: float, allowance: Allowed) -> Of
         return _if_sure(at, limit, found._replace(also=also))
     except SimulationError as failure:
         return Offsets(math.nan, math.nan, f"a static equilibrium ({failure})")
+
+
+def _nearest_to_well(over: Callable[[float], float], at: AtRest, first: list[float], best: float) -> float:
+    """The first offset (m) nearest to the well at which the limit is met; ``best`` if none meets it.
+
+    Cylinders at their stops pull the riser straight, so a limit on an angle can be met again, and with a
+    larger margin, far beyond the offset at which it is reached.
+    """
+    met = [one for one in first if one in at.rows and over(one) <= 0.0]
+    return min(met, key=lambda one: (abs(one), over(one)), default=best)
 
 
 def _if_sure(at: AtRest, limit: Limit, found: Offsets) -> Offsets:
