@@ -93,14 +93,14 @@ def filled(scene: Parts) -> Iterator[Misfit]:
             used = levels[highest]
             remedy = "remove this level" if used is None else f"give {used:g} m, or remove this level"
             yield Misfit(f"riser[{k}].contents.level", found, remedy, (path,))
-    bottom, level = scene.bottom.elevation, levels.get(highest)
-    if level is None or bottom is None:
+    ends, level = span(scene), levels.get(highest)
+    if level is None or ends is None:
         return
-    upper = bottom + sum(section.total_length for section in scene.riser[: highest + 1])
-    if level < upper - ROUNDED - SLIDES * (upper - bottom):
+    upper = ends.bottom + sum(section.total_length for section in scene.riser[: highest + 1])
+    if level < upper - ROUNDED - SLIDES * (upper - ends.bottom):
         found = f"{level:g} m is below the upper end of the section at {upper:g} m"
         remedy = f"give {upper:g} m or more, or divide the section at the level of the contents"
-        yield Misfit(path, found, remedy, ("bottom.elevation",))
+        yield Misfit(path, found, remedy, ENDS)
 
 
 def levels(scene: Parts) -> Iterator[Misfit]:
