@@ -9,6 +9,7 @@ from random_rigs import FOOT, rig, timed, written
 
 from riserstudy import simulate
 from riserstudy.design import engine_tension, tension
+from riserstudy.design.tension_table import TensionRequest, tension_table
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 
@@ -48,6 +49,22 @@ def test_minimum_tension_is_that_of_the_riser_without_stack_and_conductor(seed):
         one, other = way(scene(whole), TOLERANCES), way(scene(cut), TOLERANCES)
         assert one.tension == pytest.approx(other.tension, rel=1e-6)
     assert tension.needed(scene(whole), TOLERANCES).max() > one.tension  # what it must not say
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_stack_and_a_conductor_may_lack_inputs_of_the_minimum_tension(seed):
+    """They are not counted; a BOP has neither contents nor a lift of modules."""
+    whole = constant(rig(seed, spatial=False, conductor=True))
+    cut = scene(alone(whole))
+    del whole["riser"][1]["contents"], whole["riser"][seed % 2]["buoyancy_lift"]
+    assert tension.lacks(scene(whole)) == []
+    for way in (tension.governing, engine_tension.needed):
+        one, other = way(scene(whole), TOLERANCES), way(cut, TOLERANCES)
+        assert one.tension == pytest.approx(other.tension, rel=1e-6)
+    rows = tension_table(scene(whole), TensionRequest(TOLERANCES, tension.Rig(6, 1, 0.95, 0.0)))
+    least = tension.needed(cut, TOLERANCES)
+    assert [row.tension for row in rows.ends] == pytest.approx(least.tolist(), rel=1e-6)
+    assert not rows.missing
 
 
 @pytest.mark.parametrize("seed", range(4))

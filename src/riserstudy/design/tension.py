@@ -24,6 +24,7 @@ from riserstudy.records.arrays import FloatArray
 from riserstudy.scene.geometry import span
 from riserstudy.scene.pressures import mud_above_the_riser
 from riserstudy.scene.resolve import Resolved
+from riserstudy.scene.riser import Section
 
 
 class Tolerances(NamedTuple):
@@ -76,18 +77,23 @@ def setting(tension: float, rig: Rig) -> float:
 
 
 def lacks(scene: Resolved) -> list[str]:
-    """Fields that a scene lacks for the minimum tension; empty if it has all."""
+    """Fields that a scene lacks for the minimum tension; empty if it has all.
+
+    Sections below the riser's flex joint are not counted, so they may lack any.
+    """
     missing = [] if scene.gravity is not None else ["gravity"]
     if scene.water is None or scene.water.surface is None:
         missing.append("water.surface")
     if span(scene) is None:
         missing.append("bottom.elevation")
-    for section in scene.riser:
-        if section.buoyancy_lift is None:
-            missing.append(f"buoyancy_lift of section {section.name!r}")
-        if section.contents is None:
-            missing.append(f"contents of section {section.name!r}")
+    for section in scene.riser_sections:
+        missing += _lacks_of(section)
     return missing
+
+
+def _lacks_of(section: Section) -> list[str]:
+    fields = ("buoyancy_lift", "contents")
+    return [f"{field} of section {section.name!r}" for field in fields if getattr(section, field) is None]
 
 
 def columns_above(scene: Resolved) -> Columns:
@@ -122,10 +128,14 @@ def columns_above(scene: Resolved) -> Columns:
 def needed(scene: Resolved, tolerances: Tolerances) -> FloatArray:
     """T_SRmin (N) at the ends of sections, from the bottom up, (sections + 1,); it is linear between them.
 
-    Raises ValueError when the scene does not tell it: what it lacks.
+    Below the flex joint, it is NaN from the highest section down that lacks an input. Raises ValueError when
+    the scene does not tell it: what it lacks.
     """
     of = columns_above(scene)
-    return carrying_tension(of.steel, of.lift, of.mud - of.water, tolerances)
+    found = carrying_tension(of.steel, of.lift, of.mud - of.water, tolerances)
+    unknown = [k for k, section in enumerate(scene.riser) if _lacks_of(section)]
+    found[: max(unknown, default=-1) + 1] = math.nan
+    return found
 
 
 def governing(scene: Resolved, tolerances: Tolerances) -> Governing:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 from riserstudy.dataset.table import Table
@@ -59,6 +60,7 @@ def tension_table(scene: Resolved, request: TensionRequest) -> Rows:
     ends = [
         Found(name, float(value), below if k < first else "")
         for k, (name, value) in enumerate(zip(names, needed, strict=True))
+        if not math.isnan(value)
     ]
     of = formula.governing(scene, request.tolerances)
     totals = [Found("formula", of.tension, f"governed by the {names[of.end]}"), _engine(scene, request)]
