@@ -62,7 +62,7 @@ def counted(record, of, found):
     every = np.ones(record.sizes["time"], bool)
     known, rows = by_rows([(of, every.astype(float), response)])
     which = met(rows, LIMITS)
-    return which, riser_hours(record, known, which, LIMITS, found.error, {})
+    return which, riser_hours(record, known, which, LIMITS, found.error, {}, np.ones_like(known))
 
 
 def test_hours_are_those_of_the_response_itself_within_their_band(record):

@@ -68,7 +68,7 @@ def test_nor_are_they_hours_of_a_riser(tmp_path, seed):
         none = np.zeros((len(h), 1))
         rows = met(Response(h[:, None], none + 0.1, none, none, none), [ANGLE])
         there = np.ones(len(h), bool)
-        made = riser_hours(record, there, rows, [ANGLE], np.zeros(1), {})
+        made = riser_hours(record, there, rows, [ANGLE], np.zeros(1), {}, np.ones_like(there))
         (mode,) = made.modes
         found.append([mode.low, mode.high, statistics(mode.hours), made.limits.rows])
     np.testing.assert_equal(found[1], found[0])

@@ -50,7 +50,7 @@ def test_hours_are_those_of_rows_counted_one_by_one(seed):
     draw, record, limits, known, response = drawn(seed)
     error = draw.uniform(0.0, 0.2, len(limits))
     sea = {name: draw.random(len(known)) < 0.8 for name in ("wind", "current")[: draw.integers(3)]}
-    found = riser_hours(record, known, met(response, limits), limits, error, sea)
+    found = riser_hours(record, known, met(response, limits), limits, error, sea, np.ones_like(known))
     rows = range(len(response.demand))
     of_sea = [all(flags[known][n] for flags in sea.values()) for n in rows]
 
@@ -83,6 +83,7 @@ def test_hours_are_those_of_rows_counted_one_by_one(seed):
                 limits,
                 error,
                 {k: v for k, v in sea.items() if k != of.limit},
+                np.ones_like(known),
             )
             (again,) = (other for other in lifted.modes if other.mode == one.mode)
             assert of.alone == pytest.approx(again.hours.share - one.hours.share)

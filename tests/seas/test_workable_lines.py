@@ -35,7 +35,7 @@ def test_an_hour_of_a_new_year_is_no_year_that_is_held_back(capsys, seed):
     limits = [sea_limit("hs <= 2 m")]
     said = []
     for one in (sea, sea.isel(time=time < end)):
-        held_back(one, limits, Ahead(hold, 0.66))
+        held_back(one, limits, [], Ahead(hold, 0.66))
         said.append(capsys.readouterr().out)
     assert said[0] == said[1]
     first = 2001 + years - hold
@@ -43,7 +43,7 @@ def test_an_hour_of_a_new_year_is_no_year_that_is_held_back(capsys, seed):
     assert f"held back from {first} on" in said[0]
     assert f"observed {(height[at] <= 2.0).mean():.2%}" in said[0]
     with pytest.raises(InputError, match="no earlier years"):
-        held_back(sea, limits, Ahead(years, 0.66))
+        held_back(sea, limits, [], Ahead(years, 0.66))
 
 
 @pytest.mark.parametrize("years", [2, 3, 5])
@@ -57,7 +57,7 @@ def test_without_a_band_nothing_is_inside_or_outside_of_it(capsys, years):
         values = drawn if height is None else np.full(len(time), height)
         sea = xr.Dataset({"significant_wave_height": ("time", values)}, {"time": time})
         sea.attrs["interval_hours"] = 1.0
-        held_back(sea, [sea_limit("hs <= 2 m")], Ahead(1, 0.66))
+        held_back(sea, [sea_limit("hs <= 2 m")], [], Ahead(1, 0.66))
         said = capsys.readouterr().out.strip()
         assert said.endswith("side") == known
         assert ("no band" in said) != known

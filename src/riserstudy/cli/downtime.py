@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from riserstudy.cli.downtime_lines import Ahead, banded, held_back, show_hours, show_riser
+from riserstudy.cli.downtime_lines import Ahead, banded, held_back, show_hours, show_riser, waiting
 from riserstudy.cli.shared import (
     CsvOption,
     PlotOption,
@@ -56,6 +56,14 @@ LimitOption = Annotated[
     list[str] | None,
     typer.Option(
         help="limit on the sea, such as 'hs <= 2.5 m'; may be repeated, and all must be met", metavar="LIMIT"
+    ),
+]
+ResumeOption = Annotated[
+    list[str] | None,
+    typer.Option(
+        help="further limit on the sea that must be met before operations resume after a stop, such as "
+        "'hs <= 2 m'; may be repeated",
+        metavar="LIMIT",
     ),
 ]
 WindowOption = Annotated[
@@ -136,6 +144,7 @@ def downtime(
     record: RecordArgument,
     scene: SceneOption = None,
     limit: LimitOption = None,
+    resume: ResumeOption = None,
     window: WindowOption = None,
     ahead: NextOption = 10,
     persistence: PersistenceOption = PERSISTENCE,
@@ -162,12 +171,15 @@ def downtime(
     years are. A weather window is an uninterrupted period of workable hours; a gap in the record ends it. If
     a gap is before the start of the next weather window, only a lower bound of the waiting time is known.
 
+    With the option --resume, operations that have stopped wait until the limits of --resume are also met. At
+    the start of the record and after a gap, operations are stopped.
+
     With the option --scene, an hour is workable only if the limits of the scene are also met. The command
     then simulates the riser in some sea states of the record, and interpolates the response of the riser
     between them. The command adds simulated sea states until the error of the interpolation is within the
     tolerance --error. Finally, the command checks the interpolation by simulations of other sea states.
     """
-    from riserstudy.seas.hours import idle_limits, sea_limit
+    from riserstudy.seas.hours import check_resumes, idle_limits, sea_limit
     from riserstudy.seas.record import check_windows
 
     check_targets([path for path in (record, scene) if path], force, csv, plot, output)
@@ -184,13 +196,15 @@ def downtime(
     if vary and units:
         raise InputError("downtime", "--units", "has no effect on the table of --vary", "omit it")
     limits = [sea_limit(text) for text in limit or []]
+    resumes = [sea_limit(text, "--resume") for text in resume or []]
+    check_resumes(limits, resumes)
     lengths = [positive("--window", one, "s") / 3600.0 for one in window or []]
     sea, years = _read(record), Ahead(ahead, persistence)
     check_windows(sea, window or [])
-    for text in idle_limits(sea, limits):
+    for text in idle_limits(sea, [*limits, *resumes]):
         notify(f"warning: {text}")
     if not scene:
-        return of_the_sea(sea, limits, lengths, years, hold_back, csv, plot, record.name)
+        return of_the_sea(sea, limits, resumes, lengths, years, hold_back, csv, plot, record.name)
     directions = _directions(sectors, x_towards)
 
     def simulated(file: Any) -> Downtime:
@@ -199,7 +213,7 @@ def downtime(
 
         compile_kernels(file.resolved())
         return riser_downtime(
-            file, sea, limits, directions=directions,
+            file, sea, limits, resumes=resumes, directions=directions,
             seeds=seeds or SEEDS, error=error or ERROR, most=most or MOST,
             cores=cores or available_cores(), notify=notify,
         )  # fmt: skip
@@ -266,6 +280,7 @@ def refuse(
 def of_the_sea(
     sea: xr.Dataset,
     limits: list[SeaLimit],
+    resumes: list[SeaLimit],
     lengths: list[float],
     ahead: Ahead,
     hold_back: int,
@@ -277,14 +292,14 @@ def of_the_sea(
     from riserstudy.seas.hours import hours
 
     if hold_back:
-        held_back(sea, limits, Ahead(hold_back, ahead.persistence))
-    found = hours(sea, limits)
+        held_back(sea, limits, resumes, Ahead(hold_back, ahead.persistence))
+    found = hours(sea, limits, resumes)
     lacking = counted(found.lacking, "further row")
     print(f"{counted(found.rows, 'row')} of {found.interval:g} h; {lacking} without a value")
     for one in limits:
         if calm := int(one.calm(sea).sum()):
             print(f"{counted(calm, 'row')} without waves or a {one.quantity.long_name} meet the limit on it")
-    for line in [*map(str, found.lost), *found.notes]:
+    for line in [*map(str, found.lost), *waiting(found), *found.notes]:
         print(line)
     mean = banded(found.mean_year(ahead.persistence))
     print(f"workable: {found.share:.2%} of all rows; {mean} in a mean year")
@@ -294,6 +309,8 @@ def of_the_sea(
         from riserstudy.figures.calendar import calendar
 
         title = f"{name}: hours with {' and '.join(map(str, limits))}"
+        if resumes:
+            title += f", resumed with {' and '.join(map(str, resumes))}"
         save_figure(calendar(found.by_month(), title), plot)
 
 

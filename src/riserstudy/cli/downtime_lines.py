@@ -15,7 +15,7 @@ from riserstudy.study.persistence import PERSISTENCES
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.seas.hours import Hours
+    from riserstudy.seas.hours import Hours, SeaLimit
     from riserstudy.seas.riser_downtime import Downtime
     from riserstudy.seas.year_bands import Band
 
@@ -37,6 +37,8 @@ def show_riser(
         print(line)
     for one in made.hours.modes:
         print(f"{one.mode}: {one.hours.share:.2%} of {counted(one.hours.rows, 'row')}")
+        for line in waiting(one.hours):
+            print(f"  {line}")
         print(f"  {one.low:.2%} to {one.high:.2%} because of the error of the response")
         print(f"  {banded(one.hours.mean_year(ahead.persistence))} in a mean year")
         show_hours(one.hours, lengths, ahead, "  ")
@@ -65,14 +67,21 @@ def show_hours(found: Hours, lengths: list[float], ahead: Ahead, indent: str = "
             print(f"{indent}  {name:8} {mean:>6}  {p50:>6}  {p90:>6}  {one.open:5d}")
 
 
-def held_back(sea: xr.Dataset, limits: list, last: Ahead) -> None:  # type: ignore[type-arg]
+def waiting(found: Hours) -> list[str]:
+    """A line about rows that meet all limits before operations have resumed, if there are any."""
+    if not found.waiting:
+        return []
+    return [f"waiting to resume: {found.waiting:.2%} of the rows, which meet all other limits"]
+
+
+def held_back(sea: xr.Dataset, limits: list[SeaLimit], resumes: list[SeaLimit], last: Ahead) -> None:
     """Predict the last years from the previous years, and print the comparison."""
     import numpy as np
 
     from riserstudy.seas.hours import hours, whole
 
     year = sea["time"].values.astype("datetime64[Y]").astype(int) + 1970
-    recorded = [one.year for one in whole(hours(sea, limits).years)]
+    recorded = [one.year for one in whole(hours(sea, limits, resumes).years)]
     if len(recorded) <= last.years:
         raise InputError(
             "--hold-back",
@@ -82,7 +91,7 @@ def held_back(sea: xr.Dataset, limits: list, last: Ahead) -> None:  # type: igno
         )
     first = recorded[-last.years]
     known, observed = (
-        hours(sea.isel(time=np.flatnonzero(at)), limits) for at in (year < first, year >= first)
+        hours(sea.isel(time=np.flatnonzero(at)), limits, resumes) for at in (year < first, year >= first)
     )
     predicted = known.next_years(*last)
     inside = predicted.low <= observed.band.share <= predicted.high

@@ -19,6 +19,7 @@ from riserstudy.seas.columns import NAMES, Column, plain
 from riserstudy.seas.lost_hours import Lost, lost_by
 from riserstudy.seas.record import interval_of_rows, next_to_each_other, rows_of
 from riserstudy.seas.sea_states import without_waves
+from riserstudy.seas.stops import in_operation
 from riserstudy.seas.windows import Wait, Windows, statistics_of, waits, windows
 from riserstudy.seas.year_bands import Band, band, band_of_next
 from riserstudy.seas.years import WHOLE, Year, by_year
@@ -73,6 +74,7 @@ class Hours(NamedTuple):
     joined: NDArray[np.bool_]  # (rows - 1,) whether no gap is between a row and the next
     # hours lost by limits on the sea; for one such limit alone, these are all hours that are not workable
     lost: Sequence[Lost] = ()
+    waiting: float = 0.0  # share of rows that meet all limits, but in which operations have not resumed
     between: int = 0  # number of rows between these rows, closer than an interval, which are not counted
 
     @property
@@ -179,8 +181,8 @@ class Hours(NamedTuple):
         return len(rows) * self.interval >= WHOLE * hours_of_month(year, month)
 
 
-def sea_limit(text: str) -> SeaLimit:
-    """The limit of a text such as ``hs <= 2.5 m``.
+def sea_limit(text: str, option: str = "--limit") -> SeaLimit:
+    """The limit of a text such as ``hs <= 2.5 m``, which an option has.
 
     Raises InputError when it names no quantity of the sea, has no unit, or has an impossible value.
     """
@@ -188,28 +190,37 @@ def sea_limit(text: str) -> SeaLimit:
     match = _LIMIT.fullmatch(text)
     quantity = NAMES.get(plain(match["name"])) if match else None
     if match is None or quantity is None or quantity.unit == "deg":
-        raise InputError("--limit", text, "this is not a limit on a quantity of the sea", allowed)
+        raise InputError(option, text, "this is not a limit on a quantity of the sea", allowed)
     try:
         value = to_si(match["value"], quantity.unit)
     except Misfit as error:
-        raise InputError("--limit", text, error.found, error.allowed) from None
+        raise InputError(option, text, error.found, error.allowed) from None
     if not quantity.least <= value <= quantity.most:
         possible = f"{quantity.least:g} to {quantity.most:g} {quantity.unit}"
-        raise InputError("--limit", text, "the value is impossible", f"write a value from {possible}")
+        raise InputError(option, text, "the value is impossible", f"write a value from {possible}")
     return SeaLimit(quantity, match["sign"] == "<=", value)
 
 
-def hours(record: xr.Dataset, limits: Sequence[SeaLimit]) -> Hours:
+def hours(record: xr.Dataset, limits: Sequence[SeaLimit], resumes: Sequence[SeaLimit] = ()) -> Hours:
     """Workable hours of a record by limits on the sea.
+
+    ``resumes``: limits that operations also need in order to resume after a stop.
 
     Raises InputError when the record lacks a quantity that a limit names, or all of its values.
     """
-    every = rows_with_values(record, limits)
+    every = rows_with_values(record, [*limits, *resumes])
     known = one_each(record, every)
     met = {str(one): one.met(record)[known] for one in limits}
     workable = np.all([*met.values()], axis=0)
     lost = lost_by(met, np.ones(len(workable), bool)) if len(met) > 1 else []
-    return hours_of(record, every, known, workable)._replace(lost=lost)
+    resuming = resuming_in(record, resumes)[known]
+    return hours_of(record, every, known, workable, resuming)._replace(lost=lost)
+
+
+def resuming_in(record: xr.Dataset, resumes: Sequence[SeaLimit]) -> NDArray[np.bool_]:
+    """For each row, whether it meets all limits for resuming, (rows,)."""
+    each = [one.met(record) for one in resumes]
+    return np.asarray(np.all([np.ones(record.sizes["time"], bool), *each], axis=0))
 
 
 def check_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> None:
@@ -219,6 +230,19 @@ def check_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> None:
             there = ", ".join(sorted(map(str, record.data_vars)))
             found = "the record has no such column"
             raise InputError("--limit", one.quantity.name, found, f"use one of {there}")
+
+
+def check_resumes(limits: Sequence[SeaLimit], resumes: Sequence[SeaLimit]) -> None:
+    """Check that limits for resuming are stricter than limits of operation on the same quantity.
+
+    Raises InputError for the first that is not.
+    """
+    for one in resumes:
+        for limit in limits:
+            same = (limit.quantity, limit.largest) == (one.quantity, one.largest)
+            if same and (one.value >= limit.value if one.largest else one.value <= limit.value):
+                found = f"not stricter than the limit {limit}, so it has no effect"
+                raise InputError("--resume", str(one), found, "give a stricter limit, or omit it")
 
 
 def idle_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> list[str]:
@@ -263,7 +287,11 @@ def one_each(record: xr.Dataset, known: NDArray[np.bool_]) -> NDArray[np.bool_]:
 
 
 def hours_of(
-    record: xr.Dataset, every: NDArray[np.bool_], known: NDArray[np.bool_], workable: NDArray[np.bool_]
+    record: xr.Dataset,
+    every: NDArray[np.bool_],
+    known: NDArray[np.bool_],
+    met: NDArray[np.bool_],
+    resuming: NDArray[np.bool_],
 ) -> Hours:
     """Workable hours of a record.
 
@@ -273,11 +301,13 @@ def hours_of(
     ----------
     every : (rows,) true for rows with all values.
     known : (rows,) true for those that count, from `one_each`.
-    workable : (known,) true for workable rows among these.
+    met, resuming : (known,) whether these rows meet the limits of operation, and those for resuming.
     """
     time = record["time"].values[known]
     check_spacing("RECORD", record["time"].values[every])
     interval = interval_of_rows(time, float(record.attrs["interval_hours"]))
+    joined = next_to_each_other(time, interval)
+    workable = in_operation(met, resuming, joined)
     years = by_year(time, workable, interval)
     return Hours(
         len(time),
@@ -286,7 +316,8 @@ def hours_of(
         workable,
         time,
         years,
-        next_to_each_other(time, interval),
+        joined,
+        waiting=float((met & ~workable).mean()),
         between=int((every & ~known).sum()),
     )
 

@@ -12,7 +12,7 @@ from riserstudy.seas.cover import check_most
 from riserstudy.seas.directions import FROM, Directions, directions_that_count
 from riserstudy.seas.downtime_dataset import dataset_of, largest_errors, summarise
 from riserstudy.seas.heading_parts import Effort, Part, headings, interval_of, riser_half_way, simulate
-from riserstudy.seas.hours import SeaLimit, rows_with_values
+from riserstudy.seas.hours import SeaLimit, resuming_in, rows_with_values
 from riserstudy.seas.riser_hours import RiserHours, by_rows, met, response_of, riser_hours
 from riserstudy.seas.riser_response import RiserResponse
 from riserstudy.seas.riser_returns import Demands
@@ -39,6 +39,7 @@ def riser_downtime(
     record: xr.Dataset,
     limits: Sequence[SeaLimit] = (),
     *,
+    resumes: Sequence[SeaLimit] = (),
     directions: Directions | None = None,
     seeds: int = 5,
     error: float = 0.05,
@@ -56,6 +57,7 @@ def riser_downtime(
     file : a scene with limits, an irregular sea and a duration.
     record : record from `riserstudy.seas.record.read_record`.
     limits : additional limits on the sea.
+    resumes : limits on the sea that operations also need in order to resume after a stop.
     directions : conversion of the record's directions to headings; absent: all seas have the scene's heading.
     seeds : number of runs for each sea state: 1, or 5 and more.
     error : tolerance of the response between sea states, relative to the allowable, or the response if
@@ -80,13 +82,14 @@ def riser_downtime(
         if half := part.heading.half:
             adjacent = [part.cover, parts[half.following].cover]
             middles.append(compared(half, riser_half_way(half, part), adjacent))
-    return _counted(file, record, limits, [*parts.values()], middles)
+    return _counted(file, record, limits, resumes, [*parts.values()], middles)
 
 
 def _counted(
     file: SceneFile,
     record: xr.Dataset,
     limits: Sequence[SeaLimit],
+    resumes: Sequence[SeaLimit],
     parts: Sequence[Part],
     middles: Sequence[Middle],
 ) -> Downtime:
@@ -101,13 +104,14 @@ def _counted(
     for middle in middles:
         rows = widened(rows, middle.rows[known], middle)
     found = met(rows, riser.limits)
-    there = rows_with_values(record, limits)
+    of_sea = [*limits, *resumes]
+    there = rows_with_values(record, of_sea)
     sea = {str(one): one.met(record) for one in limits}
     error = largest_errors(parts, middles)
     # a row without a quantity of a sea limit is neither workable nor not workable
     judged = found.among(there[known])
-    hours = riser_hours(record, known & there, judged, riser.limits, error, sea)
-    lines = summarise(parts, middles, hours, record, {limit.quantity.name for limit in limits})
+    hours = riser_hours(record, known & there, judged, riser.limits, error, sea, resuming_in(record, resumes))
+    lines = summarise(parts, middles, hours, record, {limit.quantity.name for limit in of_sea})
     history = Demands(
         record["time"].values[known], riser.interval / 3600.0, riser.runs, riser.seeds, riser.limits, found
     )

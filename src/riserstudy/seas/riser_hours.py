@@ -17,6 +17,7 @@ from riserstudy.seas.cover import Cover, scale_of
 from riserstudy.seas.hours import Hours, hours_of, one_each
 from riserstudy.seas.lost_hours import lost_by
 from riserstudy.seas.sea_states import SeaStates
+from riserstudy.seas.stops import in_operation
 from riserstudy.seas.surface import Surface
 
 if TYPE_CHECKING:
@@ -149,6 +150,7 @@ def riser_hours(
     limits: Sequence[Limit],
     error: FloatArray,
     sea: Mapping[str, Flags],
+    resuming: Flags,
 ) -> RiserHours:
     """Workable hours by mode.
 
@@ -158,6 +160,7 @@ def riser_hours(
     rows : from `met`.
     error : (limits,) largest error of the response, as a share of the allowable.
     sea : for each limit on the sea, whether the rows meet it, (rows,).
+    resuming : (rows,) whether they meet the limits on the sea for resuming.
     """
     single = one_each(record, known)
     rows = rows.among(single[known])
@@ -171,8 +174,12 @@ def riser_hours(
         riser, worst, best = (
             np.asarray(flags[:, of_mode].all(axis=1)) for flags in (rows.found, rows.worst, rows.best)
         )
-        hours = hours_of(record, known, single, riser & also)._replace(lost=lost_by(of_sea, riser))
-        modes.append(OfMode(mode, hours, float((worst & also).mean()), float((best & also).mean())))
+        resumes = resuming[single]
+        hours = hours_of(record, known, single, riser & also, resumes)._replace(lost=lost_by(of_sea, riser))
+        low, high = (
+            float(in_operation(flags & also, resumes, hours.joined).mean()) for flags in (worst, best)
+        )
+        modes.append(OfMode(mode, hours, low, high))
     lost = np.asarray(np.isnan(rows.demand).any(axis=1))
     return RiserHours(modes, _by_limit(rows, limits, error, lost, also), float(lost.mean()))
 
