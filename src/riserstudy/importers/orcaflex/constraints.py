@@ -60,7 +60,7 @@ def turns_in(constraint: Part) -> tuple[str, float, Any]:
         allowed = "write x = y = 0, since the lower end of the riser of a scene is on the z axis"
         raise constraint.refused("InFrameInitialPosition", f"x, y = {x:g}, {y:g} m", allowed)
     constraint.idle("StiffnessAndDampingMethod", "Coefficients")
-    stiffness = constraint.number("RotationalStiffness")
+    stiffness = constraint.number("RotationalStiffness", endless=True)
     return constraint.text("InFrameConnection"), z, rotation(stiffness or None)
 
 

@@ -69,10 +69,13 @@ class Part:
         """Return a required text."""
         return str(self.value(key))
 
-    def number(self, *keys: str) -> float:
-        """Return a required number in the unit of the deck; NaN after an error, which is recorded."""
+    def number(self, *keys: str, endless: bool = False) -> float:
+        """Return a required number in the unit of the deck; NaN after an error, which is recorded.
+
+        ``endless``: whether it may be Infinity, as the stiffness of a clamp.
+        """
         with self.noting():
-            return self._number(" or ".join(keys), self.value(*keys))
+            return self._number(" or ".join(keys), self.value(*keys), endless)
         return math.nan
 
     def given(self, key: str) -> float:
@@ -101,10 +104,12 @@ class Part:
         x, y, z = self.components(key)
         return x, y, z
 
-    def _number(self, key: str, entry: Any) -> float:
+    def _number(self, key: str, entry: Any, endless: bool = False) -> float:
         value = math.inf if entry == "Infinity" else entry
         if isinstance(value, bool) or not isinstance(value, int | float) or math.isnan(value):
             raise self.refused(key, f"{entry!r} is not a number", "write a number")
+        if math.isinf(value) and not endless:
+            raise self.refused(key, f"{entry} is not finite", "write a finite number")
         if MOST < abs(value) < math.inf:
             raise self.refused(key, f"{entry!r} is too large", "write a number of at most 1e30")
         return float(value)
@@ -150,14 +155,17 @@ class Part:
         return [[row.get(name) for name in (*columns, *of)] for row in full]
 
     def figures(
-        self, *columns: str, of: tuple[str, ...] = (), idle: tuple[str, ...] = ()
+        self, *columns: str, of: tuple[str, ...] = (), idle: tuple[str, ...] = (), endless: str = ""
     ) -> list[list[float]]:
-        """Return cells of a table as numbers in the unit of the deck; 0 for an empty optional cell."""
+        """Return cells of a table as numbers in the unit of the deck; 0 for an empty optional cell.
+
+        ``endless``: column whose numbers may be Infinity.
+        """
         rows = self.table(*columns, of=of, idle=idle)
         names = (*columns, *of)
         return [
             [
-                self._number(name, 0.0 if name in of and cell is None else cell)
+                self._number(name, 0.0 if name in of and cell is None else cell, name == endless)
                 for name, cell in zip(names, row, strict=True)
             ]
             for row in rows

@@ -227,21 +227,44 @@ def _add_lines(deck: Part, section: dict[str, Any], lines: list[Line]) -> None:
         attached.append({"name": fields.pop("name"), **fields})
     section["lines"] = attached
     waters = [_water(kind) for kind in kinds]
-    for name, power in (("drag", 1), ("tangential_drag", 1), ("added_mass", 2)):
-        _sum(section, [water[name] for water in waters if name in water], name, power)
+    for name in ("drag", "tangential_drag"):
+        _add_drag(section, [water[name] for water in waters if name in water], name)
+    _add_mass(section, [water["added_mass"] for water in waters if "added_mass" in water])
 
 
-def _sum(section: dict[str, Any], more: list[dict[str, Any]], name: str, power: int) -> None:
-    """Set the diameter of a coefficient such that it represents the lines along the section, too."""
+def _add_drag(section: dict[str, Any], more: list[dict[str, Any]], name: str) -> None:
+    """Set the diameter of a drag coefficient such that it represents the lines along the section, too."""
     parts = [section[name], *more] if name in section else more
     if not more:
         return
     first = parts[0]["coefficient"]
-    whole = sum(float(part["coefficient"]) * float(part["diameter"].split()[0]) ** power for part in parts)
-    diameter = q((whole / first) ** (1.0 / power), "m")
-    quantity = "diameters" if power == 1 else "squares of diameters"
-    reason = f"{quantity} of pipe and lines, times their coefficients"
-    section[name] = {"coefficient": first, "diameter": {"derived": diameter, "from": reason}}
+    whole = sum(part["coefficient"] * _diameter(part) for part in parts)
+    reason = "diameters of pipe and lines, times their coefficients"
+    section[name] = {"coefficient": first, "diameter": {"derived": q(whole / first, "m"), "from": reason}}
+
+
+def _add_mass(section: dict[str, Any], more: list[dict[str, Any]]) -> None:
+    """Add the lines along a section to its added mass and to the force of accelerating water.
+
+    With the displaced water of all and their mean coefficient, both Ca D^2 and (1 + Ca) D^2 are sums.
+    """
+    parts = [section["added_mass"], *more] if "added_mass" in section else more
+    if not more:
+        return
+    squares = [_diameter(part) ** 2 for part in parts]
+    coefficients = [float(part["coefficient"]) for part in parts]
+    mean: Any = sum(c * d for c, d in zip(coefficients, squares, strict=True)) / sum(squares)
+    if len(set(coefficients)) == 1:
+        mean = coefficients[0]
+    else:
+        mean = {"derived": mean, "from": "mean of the coefficients of pipe and lines, by displaced water"}
+    diameter = q(math.sqrt(sum(squares)), "m")
+    reason = "squares of the diameters of pipe and lines"
+    section["added_mass"] = {"coefficient": mean, "diameter": {"derived": diameter, "from": reason}}
+
+
+def _diameter(part: dict[str, Any]) -> float:
+    return float(part["diameter"].split()[0])
 
 
 def _pipe(kind: Part) -> dict[str, Any]:

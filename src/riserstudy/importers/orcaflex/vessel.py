@@ -222,7 +222,7 @@ def _response(kind: Part, table: Part, crest: Crest) -> dict[str, Any] | None:
     for motion, (key, along, against) in POSITIVE.items():
         flipped[motion] = _choice(kind, key, {along: 0.0, against: half})
     operators = []
-    tables = {one: one.figures(*TABLE) for one in table.parts("RAOs")}
+    tables = {one: one.figures(*TABLE, endless=TABLE[0]) for one in table.parts("RAOs")}
     moving = [k for k in range(len(MOTIONS)) if any(row[1 + 2 * k] for of in tables.values() for row in of)]
     for one, rows in tables.items():
         heading = one.number("RAODirection")
