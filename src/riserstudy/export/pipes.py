@@ -109,7 +109,10 @@ def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
                 f"{own:.6g} m is written as StressOD; OD is {outer:.6g} m, from the submerged weight"
             )
     if section.lines:
-        deck.otherwise[f"{path}.lines"] = "included in the mass, weight and stiffness of the line type"
+        deck.otherwise[f"{path}.lines"] = (
+            "included in the mass, weight and stiffness of the line type; stresses of the OrcaFlex model are "
+            "those of a pipe that carries the tension of the lines, too"
+        )
     return entry | _water(deck, section, k, outer, bool(pipe))
 
 
