@@ -28,9 +28,9 @@ def cost(
 ) -> None:
     """Estimate the run time of a scene for tolerances of 5, 1, 0.2 and 0.05 %.
 
-    The command prints one row per tolerance. The row ``default`` is for the default tolerances of 0.2 % in
-    displacement, and 1 % in moment and tension. If the scene has an irregular sea of more than 20 min, the
-    command adds advice on long simulations.
+    The command ``cost`` prints one row per tolerance. The row ``default`` is for the default tolerances
+    of 0.2 % in displacement, and 1 % in moment and tension. If the scene has an irregular sea of more
+    than 20 min, ``cost`` adds advice on long simulations.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, plot=plot)
@@ -101,10 +101,10 @@ def effects(
 def advise(scene: SceneArgument, settings: SetOption = None) -> None:
     """Recommend effects to remove from a scene or to add to it, according to its tolerance.
 
-    For each effect, the command adds or removes this effect alone, and compares displacement, bending moment
-    and tension with the results of the unchanged scene. Tension is compared at the riser's upper end, and at
-    the place with the smallest tension. An effect is removable if the results change by at most the
-    tolerance.
+    For each effect, ``advise`` adds or removes this effect alone, and compares displacement, bending
+    moment and tension with the results of the unchanged scene. Tension is compared at the riser's upper
+    end, and at the place with the smallest tension. An effect is removable if the results change by at
+    most the tolerance.
     """
     from rich.console import Console
     from rich.table import Table
@@ -146,11 +146,12 @@ def modes(
 ) -> None:
     """Compute natural frequencies and mode shapes about the static equilibrium.
 
-    If the scene does not prescribe a mesh, the riser has about 200 segments. The command estimates the errors
-    of the frequencies from two finer meshes, with two and four times as many segments. More segments
-    (``analysis.mesh.elements``) give smaller errors. The modes neglect that tensioner cylinders also resist a
-    rotation of the tension ring. The estimated errors do not include the effect of this resistance. For six
-    rigs, the resistance of the cylinders changed the frequencies by 0.03 to 0.16 %.
+    If the scene does not prescribe a mesh, the riser has about 200 segments. The command ``modes``
+    estimates the errors of the frequencies from two finer meshes, with two and four times as many
+    segments. More segments (``analysis.mesh.elements``) give smaller errors. The modes neglect that
+    tensioner cylinders also resist a rotation of the tension ring. The estimated errors do not include
+    the effect of this resistance. For six rigs, the resistance of the cylinders changed the frequencies
+    by 0.03 to 0.16 %.
     """
     from rich.console import Console
     from rich.table import Table

@@ -56,13 +56,14 @@ def compare(
     """Compare a run with results of another program or a measurement: differences, time lag, and a figure.
 
     The first column of the table OTHER.csv is `time (s)`, or the arclength `s (m)` from the riser's lower
-    end. The headings of the other columns name a variable, the place along the riser and the unit, such as
-    `effective_tension at 300 m (kN)`. Commas, semicolons or tabs separate the cells. The command converts a
-    column `wall_tension` to effective tension with the pressures inside and outside the pipe, computed from
-    the scene. The command also reads time histories and range graphs of OrcaFlex, such as `Effective tension
-    (kN)` over `Arc length (m)`. With the package `qats` (`pip install "riserstudy[formats]"`), the command
-    reads time series of SIMA, RIFLEX, Matlab and others. For each time series of these programs, --column
-    must define the quantity, the place and the unit.
+    end. The headings of the other columns name a variable, the place along the riser and the unit, such
+    as `effective_tension at 300 m (kN)`. Commas, semicolons or tabs separate the cells. The command
+    ``compare`` converts a column `wall_tension` to effective tension with the pressures inside and
+    outside the pipe, computed from the scene. The command ``compare`` also reads time histories and range
+    graphs of OrcaFlex, such as `Effective tension (kN)` over `Arc length (m)`. With the package `qats`
+    (`pip install "riserstudy[formats]"`), ``compare`` reads time series of SIMA, RIFLEX, Matlab and
+    others. For each time series of these programs, --column must define the quantity, the place and the
+    unit.
     """
     from riserstudy.dataset.comparison import compared, difference
     from riserstudy.dataset.open import open_dataset

@@ -100,11 +100,12 @@ def tension(
 ) -> None:
     """Compute the minimum top tension, and the window (allowed range) of the tension setting.
 
-    The command computes the minimum top tension by the formula of API RP 16Q and by simulation. In the
-    simulation, a constant tension replaces the tensioners. The upper end of the window is a share (--share)
-    of the dynamic tension limit (--dynamic-limit). The lower end of the window is the smallest setting that
-    gives both the minimum tension and the required overpull (--overpull). The exit status is 4 if the scene
-    lacks an input of the formula, such as separate weights of steel and buoyancy modules.
+    The command ``tension`` computes the minimum top tension by the formula of API RP 16Q and by
+    simulation. In the simulation, a constant tension replaces the tensioners. The upper end of the window
+    is a share (--share) of the dynamic tension limit (--dynamic-limit). The lower end of the window is
+    the smallest setting that gives both the minimum tension and the required overpull (--overpull). The
+    exit status is 4 if the scene lacks an input of the formula, such as separate weights of steel and
+    buoyancy modules.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)
@@ -182,12 +183,12 @@ def viv(
 ) -> None:
     """Screen a riser in a current for vortex-induced vibration: modes, lock-in regions, amplitudes, drag.
 
-    The screening uses the natural modes about the static equilibrium, and does not simulate over time. Each
-    mode is treated as if it vibrated alone. In the lock-in region of a mode, vortices follow the vibration.
-    At the predicted amplitude, the lift of the vortices supplies as much power as drag removes. The command
-    prints the predicted amplitude divided by the diameter. The Strouhal number changes neither the lock-in
-    regions nor the amplitudes. In the options, U is the current speed, f a frequency, D the diameter, and A
-    the amplitude.
+    The screening uses the natural modes about the static equilibrium, and does not simulate over time.
+    Each mode is treated as if it vibrated alone. In the lock-in region of a mode, vortices follow the
+    vibration. At the predicted amplitude, the lift of the vortices supplies as much power as drag
+    removes. The command ``viv`` prints the predicted amplitude divided by the diameter. The Strouhal
+    number changes neither the lock-in regions nor the amplitudes. In the options, U is the current speed,
+    f a frequency, D the diameter, and A the amplitude.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv, plot)

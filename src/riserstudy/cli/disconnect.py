@@ -87,9 +87,9 @@ def watch_circles(
 ) -> None:
     """Simulate a drift-off or a drive-off: the time at which each limit is reached, and the watch circles.
 
-    The scene must have a `vessel`, or a `platform` with the key `cruise`. If the scene has both a `vessel`
-    and a `platform`, the command adds the motions of the `platform` in waves to the drift of the `vessel`.
-    The exit status is 4 if a limit could not be evaluated.
+    The scene must have a `vessel`, or a `platform` with the key `cruise`. If the scene has both a
+    `vessel` and a `platform`, ``watch-circles`` adds the motions of the `platform` in waves to the drift
+    of the `vessel`. The exit status is 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings, accuracy)
     check_targets(file.files, force, csv, output=output)

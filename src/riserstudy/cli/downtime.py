@@ -166,18 +166,20 @@ def downtime(
 ) -> None:
     """Compute workable hours of a record of sea states under limits, with weather windows and waiting times.
 
-    For future years, the command predicts a range of workable hours by Student's t-distribution, from the
-    workable hours of each complete year of the record. The option --persistence sets how similar consecutive
-    years are. A weather window is an uninterrupted period of workable hours; a gap in the record ends it. If
-    a gap is before the start of the next weather window, only a lower bound of the waiting time is known.
+    For future years, ``downtime`` predicts a range of workable hours by Student's t-distribution, from
+    the workable hours of each complete year of the record. The option --persistence sets how similar
+    consecutive years are. A weather window is an uninterrupted period of workable hours; a gap in the
+    record ends it. If a gap is before the start of the next weather window, only a lower bound of the
+    waiting time is known.
 
     With the option --resume, operations that have stopped wait until the limits of --resume are also met. At
     the start of the record and after a gap, operations are stopped.
 
     With the option --scene, an hour is workable only if the limits of the scene are also met. The command
-    then simulates the riser in some sea states of the record, and interpolates the response of the riser
-    between them. The command adds simulated sea states until the error of the interpolation is within the
-    tolerance --error. Finally, the command checks the interpolation by simulations of other sea states.
+    ``downtime`` then simulates the riser in some sea states of the record, and interpolates the response
+    of the riser between them. The command ``downtime`` adds simulated sea states until the error of the
+    interpolation is within the tolerance --error. Finally, ``downtime`` checks the interpolation by
+    simulations of other sea states.
     """
     from riserstudy.seas.hours import check_resumes, idle_limits, sea_limit
     from riserstudy.seas.record import check_windows

@@ -96,10 +96,10 @@ def fatigue(
 ) -> None:
     """Compute fatigue damage per year and fatigue life from a study of sea states and their occurrence.
 
-    For each fatigue detail, the table gives the place with the largest damage, and the damage at this place
-    without and with the safety factor. A second table lists the sea states that cause half of the damage of
-    the governing detail, which has the largest damage with its safety factor. The command refuses sea states
-    outside the simulated range.
+    For each fatigue detail, the table gives the place with the largest damage, and the damage at this
+    place without and with the safety factor. A second table lists the sea states that cause half of the
+    damage of the governing detail, which has the largest damage with its safety factor. The command
+    ``fatigue`` refuses sea states outside the simulated range.
     """
     reads = [path for path in (study, scatter, seas, without) if path]
     check_targets(reads, force, csv, plot)

@@ -78,8 +78,8 @@ def import_deck(
 ) -> None:
     """Convert an OrcaFlex text model of a vertical riser to a scene, or platform RAOs to a table.
 
-    The command lists everything that it leaves out of the scene. The command refuses a model that a scene
-    cannot represent.
+    The command ``import`` lists everything that it leaves out of the scene. The command ``import`` refuses a
+    model that a scene cannot represent.
     """
     if deck.suffix in (".4", ".nc"):
         _import_operators(deck, output, length, first_column, force)
@@ -111,7 +111,7 @@ def export_deck(
 ) -> None:
     """Write a scene as the OrcaFlex text model of its riser.
 
-    The command lists everything that the model leaves out or represents differently.
+    The command ``export`` lists everything that the model leaves out or represents differently.
     """
     from riserstudy.export.orcaflex import write_deck
 

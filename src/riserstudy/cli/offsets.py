@@ -111,14 +111,14 @@ def envelope(
 ) -> None:
     """Compute the operating envelope: for each current and sea, the offsets between which all limits are met.
 
-    At each offset, the command computes the static equilibrium. To include a sea, the command adds an
-    allowance to the static value of each output. If the limit is a smallest allowed value, the command
+    At each offset, ``envelope`` computes the static equilibrium. To include a sea, ``envelope`` adds an
+    allowance to the static value of each output. If the limit is a smallest allowed value, ``envelope``
     subtracts the allowance instead. In nine of ten random realisations of the sea, the change due to
-    waves does not exceed the allowance. The command computes the allowance by simulations in the sea and
-    in each current, at the offset of the scene and at the ends of the envelope. The allowance applies to
-    a sea that lasts as long as a simulation after its ramps, or as long as --exposure states. For a limit
-    on a mean value, the allowance is the average change of the mean due to waves. The exit status is 4 if
-    a limit could not be evaluated.
+    waves does not exceed the allowance. The command ``envelope`` computes the allowance by simulations in
+    the sea and in each current, at the offset of the scene and at the ends of the envelope. The allowance
+    applies to a sea that lasts as long as a simulation after its ramps, or as long as --exposure states.
+    For a limit on a mean value, the allowance is the average change of the mean due to waves. The exit
+    status is 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)

@@ -180,9 +180,9 @@ def statistics(
 ) -> None:
     """Compute statistics in an irregular sea: mean, standard deviation, and extremes of one or several runs.
 
-    For one run, the table also gives the most probable extremes during a longer time (--exposure). The option
-    --over evaluates several runs of a study, which differ only by the seed (random phases) of their waves.
-    With --over, the command fits a Gumbel distribution to the extremes of all runs.
+    For one run, the table also gives the most probable extremes during a longer time (--exposure). The
+    option --over evaluates several runs of a study, which differ only by the seed (random phases) of
+    their waves. With --over, ``statistics`` fits a Gumbel distribution to the extremes of all runs.
     """
     from riserstudy.dataset import statistics_tables, tables
     from riserstudy.dataset.open import open_dataset

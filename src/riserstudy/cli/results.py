@@ -59,7 +59,7 @@ def results(
 ) -> None:
     """List studies, or the points of one study with their results.
 
-    If the arguments are not the name of a study, the command lists the points (single simulations) whose
+    If the arguments are not the name of a study, ``results`` lists the points (single simulations) whose
     description contains all given words. The description includes study, axis values, scene, effects and
     warnings.
     """
@@ -144,7 +144,7 @@ def _show(answer: Any, csv: Path | None, as_json: bool, units: dict[str, str] | 
 def verify(folder: ResultsOption = IN_RESULTS) -> None:
     """Compare the report, every dataset, figure, table and stored point with its recorded checksum.
 
-    In a folder that was unpacked from a run crate, the command also compares every input of the study. The
+    In a folder that was unpacked from a run crate, ``verify`` also compares every input of the study. The
     exit status is 1 if a file or stored point differs from its checksum.
     """
     from riserstudy.crate.received import changed_inputs, inputs_in
@@ -184,9 +184,10 @@ def prune(
 ) -> None:
     """Remove stored points that no result needs, after confirmation; their size is shown first.
 
-    A point is one stored simulation of a study. The command removes damaged points, and points of other
-    engine versions or former file formats. The option ``--all`` also removes valid points that the studies in
-    this folder do not need. Studies in other folders that use the same store may still need these points.
+    A point is one stored simulation of a study. The command ``prune`` removes damaged points, and points
+    of other engine versions or former file formats. The option ``--all`` also removes valid points that
+    the studies in this folder do not need. Studies in other folders that use the same store may still
+    need these points.
     """
     from riserstudy.database.ask import NAME
     from riserstudy.database.prune import unneeded
@@ -217,9 +218,9 @@ def crate(
 ) -> None:
     """Pack a study, its results and their description into one archive (run crate), which anyone can rerun.
 
-    The command refuses results that are damaged or were edited. The command also refuses results of a run
-    that was interrupted, failed or made only some files. If an input was edited after the run, the command
-    prints a note that names the results with an edited input.
+    The command ``crate`` refuses results that are damaged or were edited. The command ``crate`` also
+    refuses results of a run that was interrupted, failed or made only some files. If an input was edited
+    after the run, ``crate`` prints a note that names the results with an edited input.
     """
     from riserstudy.crate.pack import pack
 

@@ -86,8 +86,8 @@ def seas(
 ) -> None:
     """Read a record of sea states, summarise it, and write it as a netCDF dataset.
 
-    The command lists gaps in the record and never fills them. A record in a CSV file has a header such as
-    ``time,hs (m),tp (s)``; its times are in UTC.
+    The command ``seas`` lists gaps in the record and never fills them. A record in a CSV file has a
+    header such as ``time,hs (m),tp (s)``; its times are in UTC.
     """
     if (record is None) == (synthetic is None):
         why = "missing" if record is None else "given together with --synthetic"

@@ -65,9 +65,9 @@ def run(
 ) -> None:
     """Simulate a scene and write its dataset.
 
-    If the tolerance is not reached within the time limit --patience, the command writes the best result so
+    If the tolerance is not reached within the time limit --patience, ``run`` writes the best result so
     far, with its estimated error and a warning. For such a result, the exit status is 0. If no run is
-    complete within this time limit, the command writes nothing and the exit status is 3.
+    complete within this time limit, ``run`` writes nothing and the exit status is 3.
     """
     from riserstudy.simulation.simulate import seconds
 

@@ -43,10 +43,10 @@ def tune(
 ) -> None:
     """Find the cheapest mesh, time step and method with which all points of a study meet a tolerance.
 
-    The command selects mesh, time step and time integration method at a few points (single simulations) of
-    the study, and checks this choice at other, random points.
+    The command ``tune`` selects mesh, time step and time integration method at a few points (single
+    simulations) of the study, and checks this choice at other, random points.
 
-    If the study, its scene or its tables change during the tuning, the command writes nothing, and the exit
+    If the study, its scene or its tables change during the tuning, ``tune`` writes nothing, and the exit
     status is 3.
     """
     from riserstudy.study.write_tuned import write_tuned

@@ -29,8 +29,8 @@ class Valve(Strict):
     """Tensioner valves that change a constant ``top.tension`` after the release of the lower end.
 
     After a disconnect, the top tension decreases smoothly to ``hold`` times the suspended submerged weight.
-    The key ``failed`` is the fraction of the tension that does not decrease, because the valves of some
-    tensioners do not move.
+    The valves of some tensioners can fail to move. The key ``failed`` is the fraction of the tension that
+    therefore remains constant.
     """
 
     hold: Annotated[float, Field(gt=0.0)]

@@ -157,8 +157,8 @@ class JointStop(Strict):
 
     Extension and compression are measured from the same position as the stroke of the joint. The key
     ``stroke`` is the largest extension. The key ``collapse`` is the largest compression, at which the two
-    barrels touch and push against each other. Without the key ``stroke``, the joint has no stop in extension;
-    without the key ``collapse``, it has no stop in compression. The stops of the joint are elastic, without
+    barrels touch and push against each other. The stop in extension exists only with the key ``stroke``,
+    and the stop in compression only with the key ``collapse``. The stops of the joint are elastic, without
     energy loss.
     """
 

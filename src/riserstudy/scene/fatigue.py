@@ -153,10 +153,10 @@ class Detail(Strict):
 class Fatigue(Strict):
     """Fatigue damage of details, from stress cycles (rainflow counting), S-N curves and Miner's sum.
 
-    The key ``angles`` is the number of places around the wall for which the engine computes damage. The first
-    place around the wall is on the side of the positive x axis. Between two neighbouring places, the damage
-    can be larger than at these two places, by a factor of at most cos(pi / angles)^-m, with the exponent m of
-    the S-N curve.
+    The key ``angles`` is the number of places around the wall for which the engine computes damage. The
+    first of these places is on the side of the positive x axis. Between two neighbouring places, the damage
+    can be larger than at both places. The ratio is at most cos(pi / angles)^-m, with the exponent m of the
+    S-N curve.
     """
 
     angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]

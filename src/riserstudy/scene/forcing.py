@@ -102,10 +102,11 @@ P = TypeVar("P", bound=Instant)
 class TimeSeries(Strict, Generic[P]):
     """A platform motion as a cubic spline through points, listed here or in a CSV table ``{file: name.csv}``.
 
-    Before the first point and after the last point, the platform keeps the value of this point. If one
-    interval between points is much longer than its neighbours, the spline can exceed the values of all
-    points. The engine refuses a spline that exceeds all points by more than half of the range of the points.
-    If all values of a sway, roll or yaw are zero, no simulation in three dimensions is required.
+    Before the first point, the platform has the value of the first point, and after the last point the
+    value of the last point. If one interval between points is much longer than its neighbours, the spline
+    can exceed the values of all points. The engine refuses a spline that exceeds all points by more than
+    half of the range of the points. If all values of a sway, roll or yaw are zero, no simulation in three
+    dimensions is required.
     """
 
     points: Annotated[list[P], Field(min_length=4)]
@@ -133,9 +134,9 @@ class Position(Strict):
 class Centre(Strict):
     """Position of the platform's centre of rotation with the platform at rest.
 
-    Without x and y, the centre is vertically above the well, even if the riser's top has an ``offset``.
-    Therefore, if the platform has an offset, usually give x equal to this offset. The key ``position`` of the
-    platform also moves the centre.
+    Without ``x`` and ``y``, the centre of rotation is vertically above the well, even if the riser's top
+    has an ``offset``. Therefore, if the platform has an offset, usually set ``x`` to this offset. The key
+    ``position`` of the platform also moves the centre.
     """
 
     x: u.Length | None = None

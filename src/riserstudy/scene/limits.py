@@ -40,13 +40,13 @@ class Limit(Strict):
     """Limit on one output: the largest or smallest allowed value, or the largest allowed mean over time.
 
     The key ``output`` can name an output along the riser (``effective_tension``, ``bending_moment``,
-    ``shear_force``, ``von_mises_stress``, ``x`` or ``y``). Other possible outputs are ``lower_end_tension``,
-    ``ufj_angle``, ``lfj_angle``, ``stroke``, ``joint_stroke``, ``tensioner_stroke``, ``tensioner_force`` and
-    ``largest_stress``, and in a scene with a disconnect ``overpull`` and ``lmrp_clearance``. The page on
-    variables of datasets explains the outputs. The output ``largest_stress`` neglects the pressures of
-    contents and sea; ``von_mises_stress`` includes these pressures. A stress range cannot have a limit; use
-    ``fatigue`` instead. The clearance of the riser in a moonpool (an opening through the hull) cannot have a
-    limit either.
+    ``shear_force``, ``von_mises_stress``, ``x`` or ``y``). Other possible outputs are
+    ``lower_end_tension``, ``ufj_angle``, ``lfj_angle``, ``stroke``, ``joint_stroke``, ``tensioner_stroke``,
+    ``tensioner_force`` and ``largest_stress``. In a scene with a disconnect, ``overpull`` and
+    ``lmrp_clearance`` are also possible. The page on variables of datasets explains the outputs. The output
+    ``largest_stress`` neglects the pressures of contents and sea; ``von_mises_stress`` includes these
+    pressures. A stress range cannot have a limit; use ``fatigue`` instead. The clearance of the riser in a
+    moonpool (an opening through the hull) cannot have a limit either.
 
     The key ``mode`` states in which operation the limit must be met. A limit of the mode ``drilling`` applies
     only while drilling. A limit of the mode ``connected`` applies as long as the riser is connected, with or

@@ -127,10 +127,10 @@ class VortexInducedVibration(Strict):
     """Vortex-induced vibration across the flow, by the synchronisation model of Thorsen and others (2014).
 
     The vortices exert a lift force on the pipe, across the flow (the velocity of the water relative to the
-    pipe). The amplitude of the lift force per length is C_v rho D / 2 times the squared flow speed, with the
-    density rho of the water and the diameter D. The phase of the lift force synchronises with the velocity of
-    the riser. A section with ``viv`` must also have drag across the pipe, because drag limits the amplitude
-    of the vibration. The engine simulates a scene with ``viv`` in three dimensions.
+    pipe). The amplitude of the lift force per length is C_v rho D U^2 / 2. Here, U is the flow speed, rho
+    is the density of the water, and D is the diameter. The phase of the lift force synchronises with the
+    velocity of the riser. A section with ``viv`` must also have drag across the pipe, because drag limits
+    the amplitude of the vibration. The engine simulates a scene with ``viv`` in three dimensions.
 
     The key ``coefficient`` is C_v; its published value is 1.2. The key ``frequencies`` lists the lowest, the
     in-phase and the highest frequency of the lift force, as multiples of flow speed divided by diameter. At
@@ -166,14 +166,15 @@ class VortexInducedVibration(Strict):
 class Contents(Strict):
     """Fluid inside the riser. The engine adds the weight of the riser's contents to ``submerged_weight``.
 
-    The contents follow a motion of the pipe across its axis, but not a motion along its axis.
+    If the pipe moves across its axis, the contents move with it. If the pipe moves along its axis, the
+    contents do not move with it.
 
     If the inside of the riser is open to the sea, give sea water as contents, or include the weight of this
     water in ``submerged_weight``. The contents reach up to the elevation ``level``, by default to the upper
     end of the highest section with contents. The gauge pressure of the contents on the wall is the static
     pressure of the column of contents up to ``level``. If a section without contents lies between sections
-    with contents, the pressure in the sections below it is unknown. The engine computes no von Mises stress
-    in sections with unknown pressure.
+    with contents, the pressure in the sections below the gap is unknown. For sections with unknown
+    pressure, the von Mises stress is not computed.
     """
 
     density: Annotated[u.Density, POSITIVE]
@@ -221,30 +222,32 @@ class Section(Strict):
     that are not given, such as drag and contents, are zero or absent.
 
     The key ``submerged_weight`` is the weight of the pipe with everything fixed to it, minus the weight of
-    the water that the *outer* surface displaces. The key ``submerged_weight`` does not include the weight of
-    ``contents``. For example, a bare steel pipe (outer diameter 21 in, inner diameter 19 in, mass 318.2 kg/m)
-    has a submerged weight of 874.7 N/m in sea water of 1025 kg/m^3, with a gravity of 9.81 m/s^2. If the
-    example pipe is full of mud of 1200 kg/m^3, the key ``contents`` adds 2153.4 N/m. If the example pipe is
-    full of sea water, give 874.7 N/m with ``contents`` of 1025 kg/m^3, or give 2714.1 N/m (which includes
-    1839.4 N/m of water inside) without ``contents``. If a section has no ``submerged_weight``, the engine
-    computes it from the mass, the diameters, gravity and the density of the water. A section without
-    ``submerged_weight`` must therefore have an inner diameter and ``contents``; otherwise the engine refuses
-    the scene. For a section that is wholly above the water, ``submerged_weight`` is the weight in air. If a
-    section crosses the water surface, and has no ``submerged_weight``, or has ``modules`` or ``lines``, the
-    engine divides it at the surface. In results, the part above the water is named ``<name>, above water``.
-    To a given ``submerged_weight`` of the part above the water, the engine adds the buoyancy that is missing
-    there: the weight of water in the volume of the outer diameter.
+    the water that the *outer* surface displaces. The key ``submerged_weight`` does not include the weight
+    of ``contents``. An example is a bare steel pipe with an outer diameter of 21 in, an inner diameter of
+    19 in and a mass of 318.2 kg/m. The example pipe has a submerged weight of 874.7 N/m in sea water of
+    1025 kg/m^3, with a gravity of 9.81 m/s^2. If the example pipe is full of mud of 1200 kg/m^3, the key
+    ``contents`` adds 2153.4 N/m. If the example pipe is full of sea water, give 874.7 N/m with ``contents``
+    of 1025 kg/m^3. Alternatively, give 2714.1 N/m without ``contents``; this weight includes 1839.4 N/m of
+    water inside the pipe. If a section has no ``submerged_weight``, the engine computes the submerged
+    weight from the mass, the diameters, gravity and the density of the water. A section without
+    ``submerged_weight`` must therefore have an inner diameter and ``contents``; otherwise the engine
+    refuses the scene. For a section that is wholly above the water, ``submerged_weight`` is the weight in
+    air. If a section crosses the water surface, and has no ``submerged_weight``, or has ``modules`` or
+    ``lines``, the engine divides it at the surface. In results, the part above the water is named ``<name>,
+    above water``. If such a section has a given ``submerged_weight``, the engine adds the missing buoyancy
+    to the weight of the part above the water. The missing buoyancy is the weight of water in the volume of
+    the outer diameter.
 
     The key ``buoyancy_lift``, the net lift of buoyancy modules in water, has no effect on the simulation,
     because ``submerged_weight`` already includes the lift. Only the minimum tension formula of the command
     ``riserstudy tension`` requires ``buoyancy_lift``, because the formula treats steel and modules
-    separately. Without ``buoyancy_lift``, the command does not evaluate this formula.
+    separately. Without ``buoyancy_lift``, ``riserstudy tension`` does not evaluate this formula.
 
     If a section has ``modules`` or ``lines``, its given mass, weight and stiffness refer to the pipe alone.
-    The engine adds the mass, weight and stiffness of modules and lines. If a scene has ``modules``, the
-    engine computes ``buoyancy_lift`` from the lift of the modules; in sections without modules,
-    ``buoyancy_lift`` is zero. The diameters in ``drag`` and ``added_mass`` apply to pipe, modules and lines
-    together.
+    The engine adds the mass, weight and stiffness of modules and lines to the values of the pipe. If a
+    scene has ``modules``, the engine computes ``buoyancy_lift`` from the lift of the modules; in sections
+    without modules, ``buoyancy_lift`` is zero. The diameters in ``drag`` and ``added_mass`` apply to pipe,
+    modules and lines together.
     """
 
     name: str

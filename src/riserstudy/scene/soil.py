@@ -64,10 +64,10 @@ class ResistanceAt(Strict):
 class TabulatedSoil(Strict):
     """p-y curves as a table: rows for several depths, with increasing displacements at each depth.
 
-    Between the points of a p-y curve, the resistance is a monotone cubic function that starts at zero. Beyond
-    the last point, the resistance is constant. Between two depths, the resistance is interpolated linearly.
-    The soil spring of a node has the mean resistance over the part of the conductor that the node represents.
-    The table must reach from the mudline to the lower end of the conductor.
+    Between the points of a p-y curve, the resistance is a monotone cubic function that starts at zero.
+    Beyond the last point, the resistance is constant. Between two depths, the resistance is interpolated
+    linearly. The soil spring of a node has the mean resistance over the part of the conductor that the node
+    represents. The depths of the table must reach from the mudline to the lower end of the conductor.
     """
 
     table: Annotated[list[ResistanceAt], Field(min_length=1)]

@@ -199,12 +199,11 @@ class Failing(Strict):
 class Tensioners(Strict):
     """Equal tensioner cylinders between tension ring and deck.
 
-    By default, the cylinders have no damping and no stops.
+    Damping and stops of the cylinders are optional.
 
-    The key ``mid_stroke`` selects the state of the riser in which all cylinders are at mid-stroke. This state
-    is either the unstretched riser, or the equilibrium with the tension that the cylinders have at
-    mid-stroke. In both states, the riser is vertical, in still water, at an offset of zero, and no cylinder
-    has failed.
+    The key ``mid_stroke`` selects the state of the riser in which all cylinders are at mid-stroke: either
+    the unstretched riser, or the equilibrium with the tension that the cylinders have at mid-stroke. In
+    both states, the riser is vertical, in still water, at an offset of zero, and no cylinder has failed.
 
     Give exactly one law for the pull of a cylinder, by one of the keys ``gas``, ``two_chamber_gas``,
     ``linear``, ``carried`` or ``table``. The key ``linearised`` replaces a gas law by a straight line. The

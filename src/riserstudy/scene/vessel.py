@@ -54,9 +54,10 @@ class Turning(Strict):
     """Moment of the thrusters about the vertical axis, G (psi_c - psi) - D d psi/dt.
 
     In the formula, psi is the present yaw angle of the vessel, and psi_c is ``command``, the commanded yaw
-    angle. Both yaw angles are measured from the vessel's initial heading. The symbol G is the key ``gain``,
-    and D is the key ``velocity_gain``. Without ``command``, the commanded yaw angle is zero. Without
-    ``velocity_gain``, the thrusters do not damp the yaw. Without ``saturation``, the moment is unlimited.
+    angle. The angles psi and psi_c are measured from the vessel's initial heading. The symbol G is the key
+    ``gain``, and D is the key ``velocity_gain``. Without ``command``, the commanded yaw angle is zero.
+    Without ``velocity_gain``, the thrusters do not damp the yaw. Without ``saturation``, the moment is
+    unlimited.
     """
 
     gain: Annotated[u.RotationalStiffness, NOT_NEGATIVE]
