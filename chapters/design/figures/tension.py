@@ -141,8 +141,8 @@ def _allowed(outcome: xr.Dataset, tension_ratio: float) -> str:
         return "The tension setting for a safe disconnect increases with mud density"
     least, most = f"{np.nanmin(low):.1f}", f"{np.nanmax(high):.1f}"
     if least == most:
-        return f"Of the tested settings, only {most} MN allows a safe disconnect"
-    return f"Tested settings from {least} to {most} MN allow a safe disconnect"
+        return f"Of the tested tension settings, only {most} MN allows a safe disconnect"
+    return f"Tension settings from {least} to {most} MN allow a safe disconnect"
 
 
 def heaviest(at: xr.Dataset) -> float | None:
