@@ -131,7 +131,11 @@ def test_a_small_difference_of_formula_and_simulation_is_told_by_its_order(apart
         ([3.0, 3.5], [3.0, 4.0], "The tension setting for a safe disconnect increases with mud density"),
         ([3.0, 2.5], [3.0, 4.0], "Tension settings from 2.5 to 4.0 MN allow a safe disconnect"),
         ([np.nan, 2.5], [np.nan, 4.0], "Tension settings from 2.5 to 4.0 MN allow a safe disconnect"),
-        ([np.nan, 4.0], [np.nan, 4.0], "Of the tested tension settings, only 4.0 MN allows a safe disconnect"),
+        (
+            [np.nan, 4.0],
+            [np.nan, 4.0],
+            "Of the tested tension settings, only 4.0 MN allows a safe disconnect",
+        ),
         ([np.nan, np.nan], [np.nan, np.nan], "No tested tension setting allows a safe disconnect"),
     ],
 )
