@@ -58,7 +58,7 @@ def pytest_collection():
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """Mark as long all but the first third of the seeds of a test; at least two seeds stay."""
+    """Mark as long all but the first quarter of the seeds of a test."""
     drawn = defaultdict(list)
     for item in items:
         values = getattr(item, "callspec", None)
@@ -66,7 +66,7 @@ def pytest_collection_modifyitems(items):
             drawn[item.path, item.originalname].append(item)
     for tests in drawn.values():
         seeds = sorted({test.callspec.params["seed"] for test in tests})
-        few = seeds[: max(2, math.ceil(len(seeds) / 3))]
+        few = seeds[: math.ceil(len(seeds) / 4)]
         for test in tests:
             if test.callspec.params["seed"] not in few:
                 test.add_marker("long")

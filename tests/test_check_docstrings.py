@@ -27,6 +27,7 @@ def function(said, signature="(length: FloatArray) -> float", body="return 0.0")
     return f'def area{signature}:\n    """{said}"""\n    {body}\n'
 
 
+@pytest.mark.long
 def test_the_package_passes():
     kinds = check_docstrings.errors()
     paths = sorted(check_docstrings.PACKAGE.rglob("*.py"))

@@ -35,6 +35,7 @@ def test_a_run_writes_its_dataset_and_says_how_good_it_is(command, tmp_path):
         assert float(found["time"][-1]) == 30.0
 
 
+@pytest.mark.long
 def test_a_run_loads_no_library_that_it_has_no_use_for(tmp_path):
     # each of them takes longer to load than a short run takes
     said = (
@@ -58,6 +59,7 @@ def test_accuracy_and_settings_reach_the_run(command, tmp_path):
     assert "mesh" not in tree["analysis"]
 
 
+@pytest.mark.long
 def test_patience_writes_the_best_result_so_far_and_says_so(command, tmp_path):
     target = tmp_path / "out.nc"
     wanted = ["--accuracy", "1e-5 %", "--patience", "0.02 min"]
@@ -70,6 +72,7 @@ def test_patience_writes_the_best_result_so_far_and_says_so(command, tmp_path):
         assert float(found["time"][-1]) == 30.0
 
 
+@pytest.mark.long
 def test_patience_that_ends_before_any_run_leaves_nothing(command, tmp_path):
     long = ["--set", "analysis.duration=1e6 s", "--set", "analysis.output.interval=10 s"]
     own = ["--set", "analysis.mesh={elements: 8}", "--set", "analysis.step=2 ms"]
@@ -317,6 +320,7 @@ def test_results_without_a_database_names_what_makes_it(command, tmp_path, monke
     assert "make study" in error
 
 
+@pytest.mark.long
 def test_the_installed_command_gives_the_exit_codes_too(tmp_path):
     def code(*arguments):
         return subprocess.run(

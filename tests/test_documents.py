@@ -142,6 +142,7 @@ def test_fractions_and_indices_are_drawn_as_tex_has_them(monkeypatch):
     assert ElementTree.fromstring(drawn(r"\sum_i^n x_i", as_block=True)).find("munderover") is not None
 
 
+@pytest.mark.long
 def test_every_function_command_and_effect_has_its_place_on_the_site(monkeypatch):
     monkeypatch.syspath_prepend(ROOT / "docs/_extensions")
     made = import_module("made_pages").MAKERS

@@ -119,6 +119,7 @@ def test_the_page_tells_what_came_of_the_hindcast():
     assert sum(one["years"] == "5" for one in outside) == 4
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("k", [1, 4])
 def test_the_engine_still_predicts_it(k):
     """With another seed, within 10 % of what was sealed with an error of 5 %."""

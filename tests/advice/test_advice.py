@@ -117,6 +117,7 @@ def test_an_event_late_in_a_run_is_not_cut_off(seed):
     assert cut.analysis.duration == pytest.approx(tree["analysis"]["duration"])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("phase", ["0 deg", "90 deg", "200 deg"])
 @pytest.mark.parametrize("at", ["5 s", "9 s"])
 def test_peaks_after_a_disconnect_are_not_those_of_a_step(at, phase, monkeypatch):
@@ -146,6 +147,7 @@ def test_advice_names_what_it_does_not_compare_and_what_its_step_is_too_long_for
     assert all(changed.change.label in text for text in doubt)
 
 
+@pytest.mark.long
 def test_advice_on_a_scene_with_fatigue_tells_that_damage_is_not_compared():
     file = SceneFile("rig.yaml", written(fatigued(moving(3), WELD)))
     for scene, told in ((file, 1), (file.with_values({"fatigue": None}, ""), 0)):

@@ -25,6 +25,7 @@ def said(folder, *words):
     return done.returncode, done.stderr.decode(errors="replace")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("letters", LETTERS)
 def test_a_dataset_in_a_folder_of_other_letters_is_refused_in_one_line(tmp_path, letters):
     folder = tmp_path / letters

@@ -32,6 +32,7 @@ def rows(command, *arguments):
     return json.loads(out)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("asked", [["results"], ["results", "quick"], ["sql", "select 1"]])
 def test_json_that_a_file_would_replace_is_refused(command, tmp_path, asked):
     code, out, err = command(*asked, "--json", "--csv", tmp_path / "made.csv")

@@ -62,6 +62,7 @@ def test_nothing_is_read_again_where_nothing_changed(mine):
     assert content() == before
 
 
+@pytest.mark.long
 def test_a_changed_dataset_alone_is_read_again(mine):
     write_dataset(workspace.swing(scale=3.0), workspace.RESULTS / "plain/swing.nc")
     assert workspace.built() == (DATASETS, 1)
@@ -189,6 +190,7 @@ def test_a_killed_build_leaves_the_old_one_and_the_next_one_completes(mine, func
     assert [*workspace.RESULTS.glob(".*")] == []
 
 
+@pytest.mark.long
 def test_a_full_disk_is_told_and_the_old_one_stays(mine):
     whole = workspace.DATABASE.read_bytes()
     write_dataset(workspace.swing(scale=3.0), workspace.RESULTS / "plain/swing.nc")

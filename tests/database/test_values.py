@@ -35,12 +35,14 @@ def db(here):
         yield db
 
 
+@pytest.mark.long
 def test_every_value_of_every_study_is_that_of_its_dataset(db):
     assert [*wrong(db, workspace.RESULTS)] == []
     counts = "select count(*), count(distinct study) from points"
     assert db.execute(counts).fetchone() == (6 + 3 + 4 + 1 + 1 + 48 + 2, 7)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "spoil",
     [
@@ -60,6 +62,7 @@ def test_the_comparison_sees_what_is_not_the_same(mine, spoil):
         assert next(wrong(db, workspace.RESULTS), None) is not None
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("many", [1, 7, 60, 1000])
 def test_values_that_are_written_in_several_parts_are_those_of_their_datasets(mine, monkeypatch, many):
     """Few rows in memory at a time, as of a study with many points."""

@@ -37,6 +37,7 @@ def test_the_band_of_many_seeds_is_that_of_a_normal_distribution(side):
     assert ends(side, 6.0, 1) == (0.0, 0.0)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("count", [5, 12])
 def test_changes_of_demand_and_scale_belong_together_in_the_largest_of_many_intervals(count):
     """The value with a return period of 1000 intervals, of which each is six runs.

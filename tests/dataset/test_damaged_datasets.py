@@ -74,6 +74,7 @@ def test_commands_name_the_damaged_file(dataset, commands, tmp_path, monkeypatch
     assert not (tmp_path / "x.csv").exists()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "words",
     [

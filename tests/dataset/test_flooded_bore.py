@@ -46,6 +46,7 @@ def _sums(path: Path, tree: dict[str, Any]) -> dict[str, float]:
     }
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("spatial", [False, True])
 def test_a_division_at_the_surface_does_not_change_weights(tmp_path: Path, spatial: bool) -> None:
     """Sea water fills the bore up to the surface, whether a section ends there or reaches through it."""

@@ -47,6 +47,7 @@ def test_a_long_record_is_searched_in_seconds(seed):
     assert time.process_time() - began < 20.0
 
 
+@pytest.mark.long
 def test_times_that_are_close_together_once_do_not_fill_the_memory():
     along = np.append(np.arange(0.0, 1000.0, 0.5), 999.5 + 1e-9)
     found, _ = lag(along, np.sin(along), np.sin(along + 1.0))

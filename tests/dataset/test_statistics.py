@@ -39,6 +39,7 @@ def narrow():
     return MEAN + DEVIATION * math.sqrt(2.0 / count) * waves
 
 
+@pytest.mark.long
 def test_peaks_of_a_narrow_band_are_rayleigh_distributed(narrow):
     found = peaks(narrow - MEAN)
     assert found.mean() == pytest.approx(DEVIATION * math.sqrt(math.pi / 2.0), rel=0.03)
@@ -46,6 +47,7 @@ def test_peaks_of_a_narrow_band_are_rayleigh_distributed(narrow):
     assert len(found) == pytest.approx(TIME[-1] / PERIOD, rel=0.01)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("hours", [1.0, 3.0, 10.0])
 def test_the_most_probable_maximum_of_a_narrow_band_is_rayleighs(narrow, hours):
     told = record_statistics(TIME, narrow, hours * 3600.0)
@@ -206,6 +208,7 @@ def table(monkeypatch, *words):
         return list(csv.DictReader(file))
 
 
+@pytest.mark.long
 def test_extremes_of_a_long_exposure_say_that_they_rest_on_a_short_record(
     seeds, tmp_path, monkeypatch, capsys
 ):

@@ -84,6 +84,7 @@ def test_a_speed_at_the_surface_is_that_of_the_water_whatever_a_table_has_above_
             assert twice[k].speed == pytest.approx(2.0 * point.speed, rel=1e-6)
 
 
+@pytest.mark.long
 def test_at_each_end_of_an_envelope_a_check_uses_all_of_the_limit_that_governs(commands, tmp_path):
     speeds = [0.0, 0.7, 1.3]
     asked = [word for speed in speeds for word in ("--current", f"{speed} m/s")]

@@ -125,6 +125,7 @@ def test_an_offset_without_equilibrium_is_told_and_taken_for_no_limit():
     assert "for this test" in both.missing
 
 
+@pytest.mark.long
 def test_operability_tells_offsets_and_takes_allowances(commands):
     def ends(*more):
         code, out, _ = commands("operability", SCENE, "--reach", "240 m", *more)

@@ -114,6 +114,7 @@ def test_the_force_is_minus_the_slope_of_the_energy(pair):
     assert relative(-slope[0], force) < DIFFERENCES
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("pair", FORCES, ids=name)
 def test_the_tangent_is_the_slope_of_the_force_by_position(pair):
     kind, d = pair

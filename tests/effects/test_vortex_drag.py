@@ -52,6 +52,7 @@ def at_rest(model, speed, turned=False):
 moved = partial(motion, axis=0)  # times, places along x, and sums
 
 
+@pytest.mark.long
 def test_a_cylinder_at_rest_feels_drag_that_varies_at_the_free_frequency():
     speed = 0.7
     held = cylinder(speed, stiffness=STIFF, drag=1e-9, ramp=5.0)

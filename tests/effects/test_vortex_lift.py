@@ -69,6 +69,7 @@ def settled(times, place, share=0.5):
     return np.sqrt(2.0 * np.mean(y**2)), (len(zero) - 1) / (zero[-1] - zero[0])
 
 
+@pytest.mark.long
 def test_a_cylinder_at_rest_sheds_at_its_free_frequency_and_is_lifted_by_the_coefficient():
     speed, held = 0.7, cylinder(0.7, stiffness=STIFF, drag=1e-9, ramp=5.0)
     duration = 300.0 * D / speed

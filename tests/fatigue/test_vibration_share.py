@@ -42,6 +42,7 @@ def test_damage_of_one_mode_is_that_of_its_sinusoid(speed):
     assert along < 0.05 * across
 
 
+@pytest.mark.long
 def test_the_estimate_of_damage_covers_the_true_error():
     wanted = {"analysis.mesh": None, "analysis.step": None, "analysis.accuracy": "10 %"}
     found = simulated(riser(0.5, CURVE).with_values(wanted, "test"), estimated=True)

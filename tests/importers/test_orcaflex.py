@@ -106,6 +106,7 @@ def test_headings_that_the_deck_leaves_to_symmetry_are_there(tmp_path):
     assert right == pytest.approx(-left)
 
 
+@pytest.mark.long
 def test_links_are_tensioners_and_carry_what_the_deck_hangs_on_them(tmp_path):
     found = simulate(_file(tmp_path, pulled))
     force, stroke = (float(found[f"tensioner_{n}"][0]) for n in ("force", "stroke"))

@@ -257,6 +257,7 @@ def spoiled(deck, chance):
         here[key] = values[chance.integers(len(values))]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["riser.yml", "drilling.yml"])
 def test_a_spoiled_deck_is_read_or_refused(monkeypatch, name):
     chance, plain = np.random.default_rng(3), deck_of(name)

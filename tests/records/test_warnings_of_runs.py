@@ -51,6 +51,7 @@ def made():
     return runs()
 
 
+@pytest.mark.long
 def test_users_see_the_sentences_of_the_records(made):
     """In attributes and datasets, each record has its sentence; a place holds its value, as written."""
     columns = {column.name: column for column in point_columns()}
@@ -103,6 +104,7 @@ def test_the_warnings_of_a_study_are_joined_by_their_kind_with_all_values_within
                 assert ends(written) == pytest.approx((min(values), max(values)), rel=allowed), name
 
 
+@pytest.mark.long
 def test_a_kind_has_one_place_in_the_sources():
     """Otherwise, two different warnings could be joined."""
     kinds = [

@@ -45,6 +45,7 @@ def drawn(seed):
     return tree
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("motion, shift", [("surge", 0.01), ("heave", 0.5), ("pitch", 0.05), ("roll", 0.05)])
 def test_a_platform_that_is_moved_moves_the_riser_or_is_refused(motion, shift):
     """Surge by a hundredth of the depth, heave by half a metre, tilts about a centre far from the riser.

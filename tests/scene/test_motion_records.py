@@ -118,6 +118,7 @@ def resolved_or_refused(file):
         return str(error)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("spatial", [False, True])
 def test_a_platform_stays_near_the_points_of_its_motion(spatial):
     """Through 0, 5, 5 and 5 m at 0, 10, 20 and 600 s, a spline reaches -1000 m."""

@@ -123,6 +123,7 @@ def test_runs_return_at_rest_what_the_table_says(scene):
         assert (f"{name}_static" in arrays) == QUANTITIES[name].at_rest, name
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("scene", [*SHORT, "design/recoil", "design/wellhead"])
 def test_the_errors_of_a_quantity_are_estimated_where_runs_return_it(scene):
     """Unless it is zero on every mesh, as the moment of an upright riser."""

@@ -26,6 +26,7 @@ TREES = st.recursive(
 )
 
 
+@pytest.mark.long
 @given(st.dictionaries(NAMES, TREES, min_size=1, max_size=5))
 def test_every_leaf_is_read_at_its_path_and_can_be_written_there(tree):
     written = {}

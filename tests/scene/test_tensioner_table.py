@@ -120,6 +120,7 @@ def test_a_linear_table_is_straight_between_its_rows_and_beyond():
     assert not np.allclose(table_law(table)(0.25), law(0.25), rtol=1e-3)
 
 
+@pytest.mark.long
 def test_a_linear_table_of_one_slope_moves_like_a_linear_tensioner():
     line = {"tension": "300 kN", "stiffness": "20 kN/m"}
     rows = [{"reach": f"{x} m", "force": f"{300 + 20 * x} kN"} for x in (-8, -1, 8)]

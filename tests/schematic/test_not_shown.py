@@ -61,6 +61,7 @@ def test_a_guide_or_joint_is_named_once_wherever_it_is_along_the_riser(seed):
         assert "Not shown" not in said
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("part", [name for name in Section.model_fields if name.endswith("_below")])
 def test_what_is_below_a_section_is_drawn_and_refused_where_the_end_is_held(part):
     assert part in BELOW, f"riser.{part}: enter here an example and the words of its drawing"

@@ -226,6 +226,7 @@ def test_rows_between_headings_have_the_response_to_their_own_direction(file, re
     np.testing.assert_allclose(again.demands.rows.demand, found.demands.rows.demand, rtol=1e-6)
 
 
+@pytest.mark.long
 def test_a_row_without_a_direction_counts_as_neither(file, record):
     values = record[FROM].values.copy()
     values[::5] = np.nan
@@ -293,6 +294,7 @@ def test_equal_scenes_of_several_headings_are_simulated_once(record, seed):
         directions_that_count(of, file, record.drop_vars(FROM))
 
 
+@pytest.mark.long
 def test_equal_scenes_of_several_headings_have_the_hours_of_one(plain, record):
     """The platform's operators have no headings; the summary states that directions are not used."""
     assert not heading_paths(plain)

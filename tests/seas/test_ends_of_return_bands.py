@@ -12,6 +12,7 @@ OUTSIDE = 0.05  # share of cases on each side of a band of nine in ten
 STORMS = 6  # per year
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("period", [10.0, 100.0])
 @pytest.mark.parametrize("years", [5, 10, 20])
 def test_the_true_value_of_gumbel_years_is_rarely_above_the_band(years, period):
@@ -24,6 +25,7 @@ def test_the_true_value_of_gumbel_years_is_rarely_above_the_band(years, period):
     assert beyond == pytest.approx([OUTSIDE] * 2, abs=0.027)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("shape, period", [(-0.15, 10.0), (-0.15, 100.0), (0.1, 10.0), (0.1, 100.0)])
 def test_the_true_value_of_pareto_storms_is_rarely_above_the_band(shape, period):
     """Bands from fits to samples of the fit were too low in 13 to 17 % of cases."""

@@ -36,6 +36,7 @@ def test_many_seeds_leave_one_in_ten():
     assert found[-1] == pytest.approx(0.1, abs=1e-5)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seeds, runs", CASES)
 def test_shares_of_hours_are_without_bias_by_demands_and_too_small_by_a_value_exceeded_less_often(
     seeds, runs

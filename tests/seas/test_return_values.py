@@ -18,6 +18,7 @@ def test_many_years_give_the_value_that_their_distribution_has():
         assert np.quantile(largest, 1.0 - 1.0 / years) == pytest.approx(true, rel=0.03)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("shape", [-0.2, 0.0, 0.2])
 def test_many_storms_give_the_value_that_their_distribution_has(shape):
     """Six peaks a year for a thousand years; exceeded once in 50 years is one in 300 of them."""

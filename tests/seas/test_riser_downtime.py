@@ -52,6 +52,7 @@ def demands(run):
     return [row["demand"] - (mud if row["side"] == "smallest" else 0.0) for row in rows]
 
 
+@pytest.mark.long
 def test_demands_are_those_of_runs_in_these_seas(file, record, found):
     of = found.responses
     assert of.attrs["interval_hours"] == record.attrs["interval_hours"]
@@ -109,6 +110,7 @@ def test_what_each_limit_takes_adds_up(found):
     assert exceeded.max() - 1e-9 <= lost <= exceeded.sum() + 1e-9
 
 
+@pytest.mark.long
 def test_several_seeds_demand_more_than_the_mean_of_their_runs(file, record):
     few = record.isel(time=slice(None, None, 6))
     made = riser_downtime(file, few, seeds=5, error=0.5)
@@ -182,6 +184,7 @@ def test_options_that_do_not_fit_are_refused(commands, tmp_path, record, more, t
     assert (code, told in err) == (2, True), err
 
 
+@pytest.mark.long
 def test_what_settings_buy_is_what_each_of_them_has_alone(commands, tmp_path, record):
     path, table = tmp_path / "sea.nc", tmp_path / "hours.csv"
     write_record(record, path)

@@ -78,6 +78,7 @@ def test_bands_hold_the_true_value_about_nine_times_in_ten_by_both_methods():
     assert np.mean(values) == pytest.approx(truth, rel=0.1)
 
 
+@pytest.mark.long
 def test_extremes_within_an_interval_add_to_those_of_the_sea_state():
     """More than with each row at its mode, less than with each at what nine in ten do not exceed."""
     whole = demands(heights(A_YEAR * YEARS, 1))
@@ -94,6 +95,7 @@ def test_extremes_within_an_interval_add_to_those_of_the_sea_state():
     assert values[0] < 0.95 * values[1]
 
 
+@pytest.mark.long
 def test_what_is_not_known_of_the_response_widens_the_band():
     height = heights(A_YEAR * YEARS, 2)
     widths = []

@@ -232,6 +232,7 @@ def test_a_run_that_ends_within_its_ramps_is_refused():
         run(file.resolved(), estimated=False)
 
 
+@pytest.mark.long
 def test_a_scene_without_fatigue_does_not_count():
     """Neither the library nor any output or error of it."""
     tree = moving(4, spatial=False, conductor=False)

@@ -16,6 +16,7 @@ def surging(duration, **changes):
     return load_scene(SCENES / "hard/surge.yaml", analysis=analysis, **changes).resolved()
 
 
+@pytest.mark.long
 def test_a_forecast_is_what_the_run_then_takes():
     scene = surging("3 h")
     told = forecast(scene)

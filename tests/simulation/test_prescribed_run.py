@@ -26,6 +26,7 @@ def of(scene, values, segments, step):
     return read_scene(SCENES / scene).with_values(values | own, "test").resolved()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "scene, values, segments, step",
     [("liu2017/ref_0.yaml", SUDDEN_WAVE, 428, 0.05), ("bench/s2c.yaml", SURGE, 64, 0.1)],

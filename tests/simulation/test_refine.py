@@ -157,6 +157,7 @@ def test_patience_that_suffices_is_not_told(monkeypatch):
     assert facts["error_estimate"]["moment"] <= 0.01
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("method", [None, "ESDIRK4", "explicit"])
 def test_a_march_is_broken_off_when_its_time_is_up(method):
     """A million seconds by steps of 2 ms would take hours."""

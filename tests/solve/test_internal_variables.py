@@ -115,6 +115,7 @@ def exact(time):
     return expm(rates * time) @ START
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name, order", [*methods()])
 def test_methods_keep_their_order(maxwell, name, order):
     errors = [abs(run(name, steps)[0] - exact(END)).max() for steps in (40, 80, 160)]

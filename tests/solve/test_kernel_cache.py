@@ -144,6 +144,7 @@ def called(tmp_path):
 RETURNED = [3.0, 2.0, 0.0, 3.5, 0.5]
 
 
+@pytest.mark.long
 def test_kernels_are_compiled_once_and_again_when_what_they_do_changes(called):
     assert called(TINY)[0] >= 5
     assert called(TINY) == (0, RETURNED)

@@ -205,6 +205,7 @@ def test_an_axis_whose_factor_is_nothing_is_refused():
         StudyModel.model_validate(OF_SURGE | {"axes": {"a": axis}})
 
 
+@pytest.mark.long
 def test_all_that_runs_return_can_be_kept():
     returned = set()
     for group in scenes().values():

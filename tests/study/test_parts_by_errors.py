@@ -62,6 +62,7 @@ def test_verdicts_of_parts_are_those_of_the_whole(study, tmp_path, monkeypatch, 
     assert {path.name for path in tmp_path.iterdir()} == {"whole.nc", "parts.nc"}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("at_once", [7, 11, 29, 30, 500])
 def test_progress_counts_all_points_of_a_study_in_parts(study, tmp_path, monkeypatch, at_once):
     monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path / "empty"))

@@ -163,6 +163,7 @@ def at(dataset, place):
     return scene_file_of(dataset, dict(zip(dataset["by_request"].dims, map(int, place), strict=True)))
 
 
+@pytest.mark.long
 def test_the_database_knows_the_parameters_of_points_by_request(study_of, tmp_path):
     study = study_of("surge")
     write_study(study, tmp_path / "study.nc", 1, lambda _: None, settings=settings_of(COARSE))
@@ -212,6 +213,7 @@ def test_a_point_whose_error_is_not_known_to_be_small_is_run_by_request(
     assert len(again) == sum(points.by_request)
 
 
+@pytest.mark.long
 def test_points_that_estimate_nothing_are_served_as_their_nearest_is(study_of, monkeypatch):
     """One point that does not serve takes those with it that are nearer to it than to the other."""
     study = study_of("surge")
@@ -236,6 +238,7 @@ def test_what_cannot_be_tuned_is_refused_before_any_job(study_of, name, said):
         refuse_settings(study_of(name))
 
 
+@pytest.mark.long
 def test_a_small_study_is_tuned_at_one_point_to_the_same_every_time(study_of):
     first, again = (tuned_for(study_of("quick"), lambda _: None) for _ in range(2))
     assert first == again

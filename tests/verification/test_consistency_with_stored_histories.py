@@ -53,6 +53,7 @@ def test_surge_converges_with_at_least_second_order_in_the_element_length(name):
     assert force[2] < 2e-5
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", SURGE)
 def test_moment_envelopes_are_those_of_the_stored_history(name):
     best = stored(name)

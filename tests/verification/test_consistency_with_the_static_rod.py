@@ -41,6 +41,7 @@ def test_the_scene_s_mesh_gives_the_rod_to_a_ten_thousandth(case):
     assert tension < 1e-4
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("case", CASES)
 def test_displacement_and_moment_converge_with_at_least_second_order(case):
     found = np.array([errors(case, int(n)) for n in ELEMENTS])

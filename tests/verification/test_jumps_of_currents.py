@@ -63,6 +63,7 @@ def pulled_aside(level, speeds, angles):
     return lambda s: np.array([np.interp(s, z, part) for part in x])
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("directions", [False, True])
 def test_the_error_of_a_jump_falls_by_the_square_of_the_segments(directions):
     errors = dict.fromkeys((10, 20, 40, 80), 0.0)

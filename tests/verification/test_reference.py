@@ -26,6 +26,7 @@ def test_the_rod_in_a_current_does_not_depend_on_the_tolerance():
         np.testing.assert_allclose(a, b, rtol=0.0, atol=2e-9 * np.abs(b).max(), err_msg=field)
 
 
+@pytest.mark.long
 def test_the_rod_in_a_current_is_found_by_elements_too():
     s = np.linspace(0.0, 533.0, 42)
     exact, model = ref.static_current(s), Rod(RISER, 160, hold=False, still=False)

@@ -101,6 +101,7 @@ def one_after_the_other(hold):
     raise AssertionError("still changing")
 
 
+@pytest.mark.long
 def test_iterated_to_the_end_the_platforms_ode_agrees_with_both_solved_as_one():
     surge, rounds = one_after_the_other(0.0)
     assert rounds <= 6
@@ -109,6 +110,7 @@ def test_iterated_to_the_end_the_platforms_ode_agrees_with_both_solved_as_one():
     np.testing.assert_allclose(surge, drive_off("iterated", 2.0)["platform_surge"], atol=5e-3)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("interval", [0.5, 1.0, 2.0])
 def test_staggered_turns_err_as_the_ode_does_whose_force_is_held(interval):
     """0.104 m of 134 m after 60 s for each second: a force that is held is half an interval old."""
@@ -122,6 +124,7 @@ def test_staggered_turns_err_as_the_ode_does_whose_force_is_held(interval):
 # against both as one
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("interval", [0.5, 2.0])
 def test_iterated_turns_by_newmark_are_the_steps_of_both_as_one(interval):
     run, one = drive_off("iterated", interval, "Newmark"), drive_off(method="Newmark")
@@ -133,6 +136,7 @@ def test_iterated_turns_by_newmark_are_the_steps_of_both_as_one(interval):
             assert off(run, one, name) < 2e-6, name
 
 
+@pytest.mark.long
 def test_iterated_turns_by_generalised_alpha_differ_by_how_each_turn_begins():
     """By less than mesh and step make, the more the shorter the turns."""
     apart = [off(drive_off("iterated", i), drive_off(), "platform_surge") for i in (0.5, 1.0, 2.0)]
@@ -202,6 +206,7 @@ def test_a_platform_that_sways_with_lagging_thrust_does_the_same_in_iterated_tur
     assert max(found.values()) < 20 * 2.4e-10
 
 
+@pytest.mark.long
 def test_a_platform_that_turns_too_does_so_as_far_as_newtons_iteration_goes():
     """Its tangent leaves out how the mass of a turning hull changes, and so its last correction errs."""
     found, estimated = apart(OBLIQUE)
@@ -251,6 +256,7 @@ def test_a_run_tells_its_scheme_and_that_the_interval_is_not_in_the_estimate():
     assert "spurious energy" not in drive_off("iterated", 2.0).attrs["warnings"]
 
 
+@pytest.mark.long
 def test_steps_refined_for_an_accuracy_stay_whole_parts_of_a_turn():
     asked = {"analysis.duration": "20 s", "analysis.accuracy": "1 %"}
     asked |= dict.fromkeys(("analysis.mesh", "analysis.step"))

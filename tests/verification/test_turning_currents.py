@@ -67,6 +67,7 @@ def rod(stations):
     return y[:3], np.linalg.norm(y[9:], axis=0)
 
 
+@pytest.mark.long
 def test_a_riser_in_a_turning_current_has_the_shape_of_the_rod_in_space():
     _, found = ran(profile=profile(POINTS))
     (x, y, z), moment = rod(found["s_node"])

@@ -72,6 +72,7 @@ def test_the_balance_of_energy_knows_the_waterline(tmp_path):
     assert json.loads(found.attrs["audit"])["unexplained_share"] < 1e-3
 
 
+@pytest.mark.long
 def test_a_coefficient_by_a_table_counts_in_the_water_alone_too(tmp_path):
     table = [{"elevation": f"{z} m", "value": 1.0} for z in (0, 40)]
     plain, tabulated = (

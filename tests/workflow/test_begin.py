@@ -45,6 +45,7 @@ def test_whole_results_count(results):
     assert all(file.exists() for file in results)
 
 
+@pytest.mark.long
 def test_every_flipped_bit_and_every_cut_is_seen(results):
     rng = random.Random(20261123)
     whole = {file: file.read_bytes() for file in results}

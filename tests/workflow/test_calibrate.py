@@ -65,6 +65,7 @@ def test_scenes_of_a_search_hold_what_is_tried_and_are_calibrated(nearest):
     assert tried.base.origins["current.profile.layer"].status == "calibrated"
 
 
+@pytest.mark.long
 def test_fitting_improves_on_where_it_began_and_tells_what_it_found(nearest, items, capsys):
     free = calibration.free_values(nearest)
     began = calibration.with_values(nearest, free, [(f.start - f.low) / (f.high - f.low) for f in free])

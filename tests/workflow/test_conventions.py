@@ -76,6 +76,7 @@ def test_the_tension_changes_by_the_submerged_weight(aside):
     assert tension[-1] - tension[0] == pytest.approx(3e3 * height, rel=0.02)
 
 
+@pytest.mark.long
 def test_the_commands_of_the_five_minutes_run_and_write_what_the_page_says(commands, tmp_path, monkeypatch):
     (tmp_path / "riser.yaml").write_text(SCENE)
     lines = "\n".join(re.findall(r"```sh\n(.*?)```", PAGE, re.DOTALL))

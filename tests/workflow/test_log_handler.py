@@ -154,6 +154,7 @@ def test_a_dry_run_is_left_to_snakemake(capsys):
     assert capsys.readouterr() == ("", "")
 
 
+@pytest.mark.long
 def test_a_plain_snakemake_finds_it_by_its_name(tmp_path):
     (tmp_path / "Snakefile").write_text(
         "rule all:\n    input: 'a'\nrule one:\n    output: 'a'\n    message: 'make a'\n    shell: 'touch a'\n"

@@ -72,6 +72,7 @@ def exit_status(command):
     return run(command)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", JOBS)
 def test_a_job_whose_code_was_edited_after_planning_writes_nothing(kind, folder, capsys):
     target, edited = JOBS[kind]

@@ -43,6 +43,7 @@ def test_every_kind_of_scene_that_options_make_is_there_once():
     assert len(list(bases(studies, "preview"))) == 2
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("tier", ["preview", "standard", "reference"])
 def test_every_kind_of_scene_of_the_chapters_is_a_whole_scene(tier):
     """Before its axes set anything: what the step alone sets must be written in the study, too."""

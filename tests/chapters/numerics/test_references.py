@@ -181,6 +181,7 @@ def test_a_solution_of_other_physics_or_damaged_or_missing_is_refused_by_name(fo
         store.read(folder, "study", "planar", scene)
 
 
+@pytest.mark.long
 def test_every_case_has_a_solution_that_can_be_used_or_says_why_there_is_none():
     for study, every in wanted().items():
         for one in every:
@@ -238,6 +239,7 @@ def test_the_report_names_solutions_that_a_rerun_does_not_find(folder):
     assert references({"effects": same.drop_vars("recomputed")}) == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("number", [1, 4])
 def test_kept_solutions_are_those_of_the_present_physics(number):
     """Where a law or the meaning of a field changes, runs of today leave the kept solutions.

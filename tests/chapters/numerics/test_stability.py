@@ -68,6 +68,7 @@ def test_a_run_of_more_node_steps_than_the_budget_is_a_row_too():
     assert {rung.outcome for rung in told.rungs["explicit"]} == {Outcome.TOO_LONG}
 
 
+@pytest.mark.long
 @given(
     st.integers(1, 12), st.integers(0, 12), st.integers(0, 12), st.integers(0, 3)
 )  # fmt: skip

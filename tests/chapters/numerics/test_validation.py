@@ -29,6 +29,7 @@ def found():
     return validation(STUDY, SETTING)
 
 
+@pytest.mark.long
 def test_every_number_is_within_its_tolerance_of_what_is_known(found):
     bad = found.isel(row=~found["holds"].values)
     assert bad["name"].values.tolist() == []

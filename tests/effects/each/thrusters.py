@@ -76,6 +76,7 @@ def pushed(gain, rise, saturation):
     return motion(model, 10.0, 500), energy(model)
 
 
+@pytest.mark.long
 def test_thrust_is_limited_along_the_way_to_the_commanded_place():
     found, stored = pushed(gain=1.0, rise=0.0, saturation=2e5)
     way = 0.5 * 2e5 / 1e6 * found.time**2

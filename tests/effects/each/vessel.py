@@ -92,6 +92,7 @@ def test_a_hull_without_loads_keeps_momentum_spin_and_energy():
     assert energy(model) == pytest.approx(stored, rel=2e-4)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("axis", [0, 1])
 def test_a_hull_slows_down_as_one_over_time(axis):
     """x = m / C log(1 + C v t / m) along or across the hull, and the water has the energy that it lost."""
