@@ -71,7 +71,7 @@ def waves(draw, platform, motions, heading, with_headings):
     """A wave that a platform follows, and a run of two periods; the build-up is as long as one period."""
     period = float(draw.integers(7, 15))
     wave = {"height": f"{draw.uniform(1, 5)} m", "period": f"{period} s", "ramp": f"{period} s"}
-    wave |= {"above_mean_level": str(draw.choice(["none", "constant", "stretched"]))}
+    wave |= {"above_mean_level": str(draw.choice(["constant", "stretched"]))}
     wave |= {"heading": f"{heading} deg"} if heading else {}
     rows = []
     for way in range(0, 360, 45) if with_headings else [None]:

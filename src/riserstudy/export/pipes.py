@@ -204,11 +204,11 @@ def lines(
     seabed = (deck.scene.water and deck.scene.water.seabed) or 0.0
     for n, run in enumerate(found):
         riser = deck.scene.riser
-        last = n == len(found) - 1
+        last, high = n == len(found) - 1, _levels(deck, run[0])[1]
         joint = riser[run[-1]].flex_joint_below
         stiff = math.inf if joint is None else 1e-3 * joint.stiffness * math.pi / 180.0
         ends = [
-            [*top, 0, 180, 0, None] if n == 0 else ["Free", 0, 0, 0, 0, 180, 0, None],
+            [*top, 0, 180, 0, None] if n == 0 else ["Free", 0, 0, high, 0, 180, 0, None],
             [*foot, 0, 180, 0, None] if last else [names[n + 1], 0, 0, 0, 0, 180, 0, None, "End A"],
         ]
         inside = _inside(riser[run[0]])

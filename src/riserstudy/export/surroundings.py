@@ -16,7 +16,8 @@ from riserstudy.scene.sea import RegularWave
 from riserstudy.scene.soil import Matlock
 from riserstudy.scene.water import Water
 
-STRETCHING = {"none": "None", "constant": "Vertical stretching", "stretched": "Wheeler stretching"}
+VERTICAL = "Vertical stretching"
+STRETCHING = {"none": VERTICAL, "constant": VERTICAL, "stretched": "Wheeler stretching"}
 SAME = 1e-6  # share of a wave period that counts as none
 STRAIGHT = 1e-3  # largest error of a thinned current table, as a share of its greatest speed
 
@@ -130,8 +131,12 @@ def _waves(deck: Deck) -> dict[str, Any]:
     wave = deck.scene.wave
     if wave is None:
         calm = {"Name": "Wave1", "WaveType": "Airy", "WaveDirection": 0, "WaveHeight": 0, "WavePeriod": 10}
-        return {"KinematicStretchingMethod": "Vertical stretching", "WaveTrains": [calm]}
+        return {"KinematicStretchingMethod": VERTICAL, "WaveTrains": [calm]}
     deck.carried |= {f"wave.{n}" for n in ("heading", "above_mean_level", "height", "amplitude", "period")}
+    if wave.above_mean_level == "none":
+        deck.otherwise["wave.above_mean_level"] = (
+            f"{VERTICAL}, since every method of OrcaFlex has velocities above the mean level"
+        )
     train: dict[str, Any] = {"Name": "Wave1", "WaveDirection": math.degrees(wave.heading or 0.0)}
     if isinstance(wave, RegularWave):
         height = wave.wave_height

@@ -105,7 +105,7 @@ def _riser(deck: Part, lines: list[Line], on: Bearings) -> list[Line]:
     if not found:
         allowed = (
             "connect one line, or several end to end, from tensioners or a vessel to the ground "
-            "(Fixed or Anchored)"
+            "(Fixed or Anchored), and give the upper end of each as TopEnd"
         )
         ends = [f"{line.name!r} from {line.upper.to!r} to {line.lower.to!r}" for line in lines]
         raise deck.refused("Lines", f"no line is a riser: {', '.join(ends)}", allowed)

@@ -12,7 +12,7 @@ from riserstudy.model.sea import wave_number
 SPECTRA = ("JONSWAP", "ISSC")  # ISSC: a Pierson-Moskowitz spectrum of any height
 AIRY = ("Airy", "Single Airy")
 STEEP = ("Dean stream", "Stokes' 5th", "Cnoidal")
-STRETCHING = {"None": "none", "Vertical stretching": "constant", "Wheeler stretching": "stretched"}
+STRETCHING = {"Vertical stretching": "constant", "Wheeler stretching": "stretched"}
 SAME = 0.01  # relative difference of two periods of one sea, which are rounded
 CURVED = 1e-3  # largest error of a turning current, as a share of its greatest speed
 SMALL = 0.1  # largest second harmonic that is left out, as a share of the wave's amplitude
