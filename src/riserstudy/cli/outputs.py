@@ -127,11 +127,12 @@ def table(
         compile_kernels(scene)
         dataset = simulate(file or source)
         print_warnings(dataset)
-    if one is None and dataset is not None:
-        made = tables.tables_of(scene, dataset)
-    else:
-        name = (one or TableKind.EXTREMES).value
-        made = {name: tables.table_of(name, scene, dataset)}
+    with reading_in(units):
+        if one is None and dataset is not None:
+            made = tables.tables_of(scene, dataset)
+        else:
+            name = (one or TableKind.EXTREMES).value
+            made = {name: tables.table_of(name, scene, dataset)}
     made = {name: tables.in_units(of, units) for name, of in made.items()}
     if book:
         workbook.write_workbook(made, output)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from riserstudy.dataset.clearance import TOUCHING
 from riserstudy.dataset.limits import taken_by
 from riserstudy.dataset.table import OF_ROW, Cell, Table
+from riserstudy.dataset.unit_systems import read_in
 from riserstudy.errors import InputError
 from riserstudy.scene.pressures import not_in_tension
 from riserstudy.scene.resolve import Resolved
@@ -19,7 +20,7 @@ AXIAL = 0.005  # m, distance from the well that counts as zero
 
 
 def recoil(scene: Resolved, dataset: xr.Dataset) -> Table:
-    """Outcome of the disconnect of one run, in kN, m and s.
+    """Outcome of the disconnect of one run, in kN, m and s; notes have lengths in the reader's unit.
 
     Raises InputError when the scene has no disconnect, or its run ends before the disconnect.
     """
@@ -84,7 +85,7 @@ def _why_unknown(of: dict[str, Any]) -> str:
 
 def _aside(distance: float | None) -> str:
     """Distance (m) of the LMRP from the well, if it is not above the well; absent from older datasets."""
-    return f"{distance:.3g} m aside from the well" if (distance or 0.0) > AXIAL else ""
+    return f"{_length(distance, '.3g')} aside from the well" if distance and distance > AXIAL else ""
 
 
 def _strokes(scene: Resolved, extremes: list[dict[str, Any]]) -> list[list[Cell]]:
@@ -117,4 +118,11 @@ def _strokes(scene: Resolved, extremes: list[dict[str, Any]]) -> list[list[Cell]
 def _end(end: float | None, out: bool) -> str:
     if end is None:
         return "no end in the scene"
-    return f"stroke-out: the end is at {end:+.4g} m" if out else f"end at {end:+.4g} m"
+    at = _length(end, "+.4g")
+    return f"stroke-out: the end is at {at}" if out else f"end at {at}"
+
+
+def _length(metres: float, digits: str) -> str:
+    """A length in the reader's unit."""
+    of = read_in("m")
+    return f"{of.factor * metres:{digits}} {of.unit}"
