@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 from riserstudy.importers.orcaflex.deck import EMPTY, Part, q
@@ -34,6 +35,9 @@ ANGLES = {"degrees": "deg", "radians": "rad"}
 FROM = {"crest": 0.0, "zero down-crossing": 90.0, "trough": 180.0}  # codespell:ignore trough
 FROM["zero up-crossing"] = 270.0
 TURN = 2.0 * math.pi
+WAY = "RAODirection"
+SAME = 1e-4  # largest difference of directions that count as equal (deg)
+CLOSE = 1e-6  # largest relative difference of periods or frequencies that count as equal
 
 
 #: columns of a motion that is given for each stage
@@ -222,10 +226,10 @@ def _response(kind: Part, table: Part, crest: Crest) -> dict[str, Any] | None:
     for motion, (key, along, against) in POSITIVE.items():
         flipped[motion] = _choice(kind, key, {along: 0.0, against: half})
     operators = []
-    tables = {one: one.figures(*TABLE, endless=TABLE[0]) for one in table.parts("RAOs")}
+    tables = _even({one: one.figures(*TABLE, endless=TABLE[0]) for one in table.parts("RAOs")})
     moving = [k for k in range(len(MOTIONS)) if any(row[1 + 2 * k] for of in tables.values() for row in of)]
     for one, rows in tables.items():
-        heading = one.number("RAODirection")
+        heading = one.number(WAY)
         for row in rows:
             period = row[0]
             if not 0.0 < period < math.inf:
@@ -243,6 +247,42 @@ def _response(kind: Part, table: Part, crest: Crest) -> dict[str, Any] | None:
         return None
     response: dict[str, Any] = {"operators": operators, "phases": lead, "headings": "towards"}
     return response | ({"symmetry": symmetry} if symmetry else {})
+
+
+def _even(tables: dict[Part, list[list[float]]]) -> dict[Part, list[list[float]]]:
+    """Return tables of RAOs by direction, without a direction that repeats another after a full turn.
+
+    Raises InputError when tables of one direction differ, amplitudes are negative, or waves are not the same.
+    """
+    kept: dict[Part, list[list[float]]] = {}
+    for one, rows in tables.items():
+        for row in rows:
+            if low := next((k for k in range(1, len(TABLE), 2) if row[k] < 0.0), 0):
+                allowed = "write the amplitude without its sign, and add half a turn to the phase"
+                raise one.refused(TABLE[low], f"the amplitude is {row[low]:g}", allowed)
+        waves, first = (_waves(of) for of in (rows, next(iter(tables.values()))))
+        if any(math.isclose(a, b, rel_tol=CLOSE) for a, b in pairwise(waves)):
+            raise one.refused(TABLE[0], "a wave occurs twice", "give each wave once")
+        same = len(waves) == len(first)
+        if not (same and all(math.isclose(a, b, rel_tol=CLOSE) for a, b in zip(waves, first, strict=True))):
+            found = f"the waves are {', '.join(f'{wave:g}' for wave in waves)}"
+            allowed = f"give those of the first direction, {', '.join(f'{wave:g}' for wave in first)}"
+            raise one.refused(TABLE[0], found, allowed)
+        apart = [math.remainder(one.number(WAY) - other.number(WAY), 360.0) for other in kept]
+        twin = next((other for other, turn in zip(kept, apart, strict=True) if abs(turn) < SAME), None)
+        if twin is None:
+            kept[one] = rows
+        elif sorted(kept[twin]) == sorted(rows):
+            one.apart = f"its direction is {twin.number(WAY):g} deg, too, with the same RAOs"
+        else:
+            found = f"its direction is {twin.number(WAY):g} deg, too, but its RAOs differ"
+            raise one.refused(WAY, found, "delete one of the two")
+    return kept
+
+
+def _waves(rows: list[list[float]]) -> list[float]:
+    """Return the periods or frequencies of the waves of a table, in rising order."""
+    return sorted(row[0] for row in rows if 0.0 < row[0] < math.inf)
 
 
 def _choice(part: Part, key: str, of: dict[str, Any]) -> Any:
