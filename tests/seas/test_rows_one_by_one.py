@@ -101,7 +101,7 @@ def test_hours_are_those_of_rows_counted_one_by_one(seed):
             100.0 * sum(of == [k] and at for of, at in zip(over, calm, strict=True)) / len(rows)
         )
         order = sorted(response.demand[there, k], reverse=limit.side != "smallest")
-        assert row["largest"] == order[0]
+        assert row["worst"] == order[0]
         assert row["allowed"] == float(next(filter(None, (limit.largest, limit.smallest, limit.mean)))[:2])
         assert row["error"] == pytest.approx(100.0 * error[k])
 

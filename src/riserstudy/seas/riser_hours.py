@@ -30,7 +30,7 @@ MODES = {
     "connected": ("connected", "disconnect"),
     "disconnect": ("disconnect",),
 }
-COLUMNS = ["limit", "exceeded", "alone", "allowed", "largest", "unit", "error"]
+COLUMNS = ["limit", "exceeded", "alone", "allowed", "worst", "unit", "error"]
 UNITS = ["", "%", "%", "*", "*", "", "%"]
 
 
