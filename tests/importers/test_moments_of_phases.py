@@ -40,13 +40,14 @@ def drawn(seed):
     moment = list(MOMENTS)[seed % 4]
     leads, degrees = bool(draw.integers(2)), bool(draw.integers(2))
     unit = math.radians(1.0) if degrees else 1.0
+    turned = float(draw.choice([1.0, math.radians(1.0)]))  # of a rotation by 1 deg
     by = str(draw.choice(["period (s)", "frequency (rad/s)", "frequency (Hz)"]))
     kind = deck["VesselTypes"][0]
     kind |= {
         "RAOPhaseRelativeToConvention": moment,
         "RAOPhaseConvention": "leads" if leads else "lags",
         "RAOPhaseUnitsConvention": "degrees" if degrees else "radians",
-        "RAOResponseUnits": "radians",
+        "RAOResponseUnits": "degrees" if turned == 1.0 else "radians",
         "WavesReferredToBy": by,
         "Symmetry": "None",
     }
@@ -63,7 +64,8 @@ def drawn(seed):
     for period, sizes, delays in zip(PERIODS, size, late, strict=True):
         wave = {"p": period, "f": 2.0 * math.pi / period}[by[0]]
         row = [wave / (2.0 * math.pi) if by.endswith("(Hz)") else wave]
-        for a, b in zip(sizes, delays, strict=True):  # the greatest motion is b periods after the crest
+        written = [*sizes[:3], *(sizes[3:] * turned / math.radians(1.0))]
+        for a, b in zip(written, delays, strict=True):  # the greatest motion is b periods after the crest
             after = 2.0 * math.pi * (b - MOMENTS[moment])
             row += [float(a), float(-after if leads else after) / unit]
         rows.append(row)
