@@ -29,14 +29,14 @@ def operators(rng, symmetric, small):
     return {"operators": rows, "phases": "lag", "headings": "towards"} | symmetric
 
 
-def rig(seed, response, heading):
+def rig(seed, response, heading, **more):
     """A rig whose platform moves in a regular wave of its response only."""
     rng = random.Random(seed)
     tree = moving(seed, spatial=False, conductor=False)
     wave = {"amplitude": f"{rng.uniform(0.5, 2.0)!r} m", "period": f"{rng.uniform(6.0, 20.0)!r} s"}
     response |= {"wave": wave, "ramp": "5 s", "heading": f"{heading} deg"}
     tree["platform"] = {"centre_of_rotation": {"elevation": 0.0}, "response": response}
-    return SceneFile("rig.yaml", written(tree)).resolved()
+    return SceneFile("rig.yaml", written(tree | more)).resolved()
 
 
 @pytest.mark.parametrize("heading", [0.0, 180.0])
@@ -61,3 +61,14 @@ def test_a_table_of_six_motions_gives_in_head_seas_the_run_of_three(seed, headin
 def test_motions_aside_in_other_seas_leave_the_plane(heading):
     table = operators(random.Random(1), {"symmetry": "sides"}, 0.0)
     assert rig(1, table, heading).spatial == "platform.response"
+
+
+@pytest.mark.parametrize("heading", [0.0, 180.0])
+def test_a_limit_aside_is_evaluated_in_head_seas_as_in_others(heading):
+    tables = [operators(random.Random(2), {"symmetry": "sides"}, 0.0) for _ in range(2)]
+    limit = {"output": "y", "largest": "2 m", "mode": "drilling"}
+    limited, ahead = rig(2, tables[0], heading, limits=[limit]), rig(2, tables[1], heading)
+    found, expected = (run(scene, estimated=False) for scene in (limited, ahead))
+    scale = float(np.abs(expected.arrays["x_max"]).max())
+    assert np.abs(found.arrays["y_max"]).max() < 1e-9 * scale
+    np.testing.assert_allclose(found.arrays["x_max"], expected.arrays["x_max"], rtol=0.0, atol=1e-6 * scale)

@@ -59,9 +59,7 @@ def moves_off(scene: Resolved, source: str) -> None:
         found = "missing, but watch circles require a dynamic run"
         raise InputError(source, "analysis.duration", found, "give, for example, `300 s`")
     if scene.disconnect:
-        found = (
-            f"after the disconnect at {scene.disconnect.at:g} s, the limits would apply to a hung-off riser"
-        )
+        found = f"the riser disconnects at {scene.disconnect.at:g} s, and reaches no limit of operation later"
         raise InputError(source, "disconnect", found, "remove it with `--set disconnect=null`")
     if scene.analysis.output and scene.analysis.output.start:
         found = f"limits that are reached before {scene.analysis.output.start:g} s would be missed"

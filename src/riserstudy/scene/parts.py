@@ -241,9 +241,15 @@ class Parts(Strict):
 
     @property
     def _response(self) -> set[str]:
-        """Motions of the platform in its waves; those whose operators are zero in these waves are none."""
-        response = self.platform and self.platform.response
-        return set(response.moves_in(response.wave or self.wave)) if response else set()
+        """Motions of the platform in its waves; those whose operators are zero in these waves are none.
+
+        A limit on y counts in waves from all directions, so it needs all motions in each of them.
+        """
+        response = self.platform.response if self.platform else None
+        if response is None:
+            return set()
+        aside = any(limit.output == "y" for limit in self.limits or [])
+        return set(response.moving if aside else response.moves_in(response.wave or self.wave))
 
     @property
     def _pulls(self) -> dict[str, tuple[bool, bool]]:
