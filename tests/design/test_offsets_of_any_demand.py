@@ -12,7 +12,7 @@ from riserstudy.errors import SimulationError
 
 SCENE = Path(__file__).parents[2] / "config/scenes/design/riser.yaml"
 REACH = 100.0
-FIRST = np.linspace(-REACH, REACH, 9)
+FIRST = np.linspace(-REACH, REACH, 17)
 ALLOWED = 0.5  # rad
 LIMIT = {"output": "ufj_angle", "mode": "drilling"}
 
@@ -102,3 +102,22 @@ def test_limits_that_are_all_met_at_the_well_have_an_envelope_that_contains_it(s
             continue
         found += offsets_at(Known(scene, demand, [], math.inf), [scene.limits[1]], REACH, {})
     assert max(one.low for one in found) <= 0.0 <= min(one.high for one in found)
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_a_limit_that_is_exceeded_between_two_offsets_and_met_again_ends_its_range(scene, seed):
+    """As an angle that falls when cylinders reach their stops, and rises again further out."""
+    draw = np.random.default_rng(seed)
+    first = float(draw.uniform(15.0, 45.0))
+    again = first + float(draw.uniform(8.0, 20.0))
+    third = again + float(draw.uniform(15.0, 35.0))
+    x = [0.0, first, again - 2.0, again, 0.5 * (again + third), third, 200.0]
+    y = [-1.0, 0.0, 0.5, 0.0, -float(draw.uniform(0.3, 1.0)), 0.0, 3.0]
+    side = float(draw.choice([-1.0, 1.0]))
+
+    def demand(offset):
+        return ALLOWED + 0.1 * np.interp(max(side * offset, 0.0), x, y)
+
+    (found,) = offsets_at(Known(scene, demand, [], math.inf), [scene.limits[1]], REACH, {})
+    ends = {-1.0: (found.low, found.high), 1.0: (found.high, found.low)}[side]
+    assert ends == (pytest.approx(side * first, abs=2.0 * CLOSE), -side * math.inf)

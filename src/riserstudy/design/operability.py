@@ -35,7 +35,7 @@ from riserstudy.simulation.run import single
 from riserstudy.simulation.tolerance import MOMENT
 from riserstudy.study.processes import each
 
-NODES = 9  # number of initial offsets of a search, the same for all limits
+NODES = 17  # number of initial offsets of a search, the same for all limits
 CLOSE = 0.05  # m, tolerance of an offset
 #: dynamic allowance of an output, in the SI unit of its limit: at all places, or by place
 Added = float | Mapping[str, float]
