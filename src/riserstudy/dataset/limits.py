@@ -230,7 +230,7 @@ def _part(scene: Resolved, limit: Limit) -> str:
     if limit.output == "stroke":
         return "from the static state"
     if limit.output == "joint_stroke":
-        return "from the joint's length"
+        return "from the joint's nominal length"
     if limit.output == "tensioner_force" and limit.side == "smallest":
         return _of_failed(scene)
     if len(scene.riser) == 1 or limit.output not in ALONG:
