@@ -77,7 +77,8 @@ def mao_hangoff():
     """439 kg over a joint of 23.7 m, beside a flooded pipe of 21 in and 1 in."""
     light = 439.0 / 23.7
     pipe = (STEEL - SEA) * (circle(21 * INCH) - circle(19 * INCH))
-    yield "E16", f"is {light:.1f} kg/m. This weight is a {({15: 'fifteenth'})[round(pipe / light)]} of"
+    fraction = {15: "fifteenth"}[round(pipe / light)]
+    yield "E16", f"is {light:.1f} kg/m. A weight of {light:.1f} kg/m is a {fraction} of"
 
 
 @pytest.mark.parametrize("paper", [chang2020, liu2020, liu2017, mao_hangoff], ids=lambda p: p.__name__)

@@ -59,7 +59,8 @@ def moves_off(scene: Resolved, source: str) -> None:
         found = "missing, but watch circles require a dynamic run"
         raise InputError(source, "analysis.duration", found, "give, for example, `300 s`")
     if scene.disconnect:
-        found = f"the riser disconnects at {scene.disconnect.at:g} s, and reaches no limit of operation later"
+        at = scene.disconnect.at
+        found = f"after the disconnect at {at:g} s, limits apply to a hung-off riser, or not at all"
         raise InputError(source, "disconnect", found, "remove it with `--set disconnect=null`")
     if scene.analysis.output and scene.analysis.output.start:
         found = f"limits that are reached before {scene.analysis.output.start:g} s would be missed"
