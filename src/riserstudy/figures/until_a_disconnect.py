@@ -11,7 +11,7 @@ import xarray as xr
 
 from riserstudy.dataset.provenance import read_provenance
 from riserstudy.errors import InputError
-from riserstudy.scene.limits import OF_A_DISCONNECT
+from riserstudy.scene.limits import ends_with_disconnect
 
 #: in what an axis sets, as JSON
 SET_BY_AN_AXIS = re.compile(r'"disconnect(\.[^"]*)?": (?!null)')
@@ -24,8 +24,7 @@ def limits_of_all_times(dataset: xr.Dataset) -> Iterator[tuple[int, Mapping[str,
     """
     released = _disconnects(dataset)
     for k, row in enumerate(json.loads(dataset.attrs.get("limits", "[]"))):
-        ends = row.get("mode") != "disconnect" and row["output"] not in OF_A_DISCONNECT
-        if not (released and ends):
+        if not (released and ends_with_disconnect(row.get("mode"), row["output"])):
             yield k, row
 
 

@@ -134,12 +134,17 @@ class Limit(Strict):
     @property
     def ends_with_disconnect(self) -> bool:
         """Whether it does not apply after a disconnect, which ends the operations of a connected riser."""
-        return self.mode != "disconnect" and self.output not in OF_A_DISCONNECT
+        return ends_with_disconnect(self.mode, self.output)
 
     @property
     def allowable(self) -> float:
         """The allowable in the SI unit of the output: N, N m, Pa, m or rad."""
         return to_si(getattr(self, self.side), UNITS[self.output])
+
+
+def ends_with_disconnect(mode: str | None, output: str) -> bool:
+    """Whether a limit of a mode on an output does not apply after a disconnect."""
+    return mode != "disconnect" and output not in OF_A_DISCONNECT
 
 
 def place_of(at: str | list[str] | None) -> str:
