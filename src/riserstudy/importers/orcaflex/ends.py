@@ -13,6 +13,7 @@ ROUND_Z = ("ConnectionAzimuth", "ConnectionGamma")  # without effect on a vertic
 BENDING = "ConnectionxBendingStiffness"
 GROUND = ("Fixed", "Anchored")
 UPRIGHT = (0, 180, None)  # deg
+SAME = 1e-6  # largest distance of points that count as equal (m)
 
 
 class End(NamedTuple):

@@ -8,9 +8,8 @@ from __future__ import annotations
 from itertools import pairwise
 
 from riserstudy.importers.orcaflex.chain import Roles
-from riserstudy.importers.orcaflex.ends import PLACE, End, Line, upright
+from riserstudy.importers.orcaflex.ends import PLACE, SAME, End, Line, upright
 
-SAME = 1e-6  # largest distance of points that count as equal (m)
 ONE_POINT = "since they are one point in a scene"
 
 

@@ -9,10 +9,9 @@ import math
 from typing import Any, NamedTuple
 
 from riserstudy.importers.orcaflex.deck import CHANGE, Part, q
-from riserstudy.importers.orcaflex.ends import PLACE
+from riserstudy.importers.orcaflex.ends import PLACE, SAME
 
 ALONG = "ConnectionzRelativeTo"
-SAME = 1e-6  # largest distance of points that count as equal (m)
 
 
 class Anchorage(NamedTuple):
