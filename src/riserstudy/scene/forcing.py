@@ -102,11 +102,10 @@ P = TypeVar("P", bound=Instant)
 class TimeSeries(Strict, Generic[P]):
     """A platform motion as a cubic spline through points, listed here or in a CSV table ``{file: name.csv}``.
 
-    Before the first point, the platform has the value of the first point, and after the last point the
-    value of the last point. If one interval between points is much longer than its neighbours, the spline
-    can exceed the values of all points. The engine refuses a spline that exceeds all points by more than
-    half of the range of the points. If all values of a sway, roll or yaw are zero, no simulation in three
-    dimensions is required.
+    Before the first point, the platform has the value of the first point, and after the last point the value
+    of the last point. If one interval between points is much longer than its neighbours, the spline can
+    exceed the values of all points. The engine refuses a spline that exceeds all points by more than half of
+    their range. If all values of a sway, roll or yaw are zero, no simulation in three dimensions is required.
     """
 
     points: Annotated[list[P], Field(min_length=4)]

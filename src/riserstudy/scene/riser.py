@@ -222,21 +222,20 @@ class Section(Strict):
     that are not given, such as drag and contents, are zero or absent.
 
     The key ``submerged_weight`` is the weight of the pipe with everything fixed to it, minus the weight of
-    the water that the *outer* surface displaces. The key ``submerged_weight`` does not include the weight
-    of ``contents``. An example is a bare steel pipe with an outer diameter of 21 in, an inner diameter of
-    19 in and a mass of 318.2 kg/m. The example pipe has a submerged weight of 874.7 N/m in sea water of
-    1025 kg/m^3, with a gravity of 9.81 m/s^2. If the example pipe is full of mud of 1200 kg/m^3, the key
+    the water that the *outer* surface displaces. The key ``submerged_weight`` does not include the weight of
+    ``contents``. An example is a bare steel pipe with an outer diameter of 21 in, an inner diameter of 19 in
+    and a mass of 318.2 kg/m. The example pipe has a submerged weight of 874.7 N/m in sea water of 1025
+    kg/m^3, with a gravity of 9.81 m/s^2. If the example pipe is full of mud of 1200 kg/m^3, the key
     ``contents`` adds 2153.4 N/m. If the example pipe is full of sea water, give 874.7 N/m with ``contents``
     of 1025 kg/m^3. Alternatively, give 2714.1 N/m without ``contents``; this weight includes 1839.4 N/m of
-    water inside the pipe. If a section has no ``submerged_weight``, the engine computes the submerged
-    weight from the mass, the diameters, gravity and the density of the water. A section without
-    ``submerged_weight`` must therefore have an inner diameter and ``contents``; otherwise the engine
-    refuses the scene. For a section that is wholly above the water, ``submerged_weight`` is the weight in
-    air. If a section crosses the water surface, and has no ``submerged_weight``, or has ``modules`` or
-    ``lines``, the engine divides it at the surface. In results, the part above the water is named ``<name>,
-    above water``. If such a section has a given ``submerged_weight``, the engine adds the missing buoyancy
-    to the weight of the part above the water. The missing buoyancy is the weight of water in the volume of
-    the outer diameter.
+    water inside the pipe. If a section has no ``submerged_weight``, the engine computes the submerged weight
+    from the mass, the diameters, gravity and the density of the water. A section without ``submerged_weight``
+    must therefore have an inner diameter and ``contents``; otherwise the engine refuses the scene. For a
+    section that is wholly above the water, ``submerged_weight`` is the weight in air. If a section crosses
+    the water surface, and has no ``submerged_weight``, or has ``modules`` or ``lines``, the engine divides it
+    at the surface. In results, the part above the water is named ``<name>, above water``. If such a section
+    has a given ``submerged_weight``, the engine adds the missing buoyancy to the weight of the part above the
+    water. The missing buoyancy is the weight of water in the volume of the outer diameter.
 
     The key ``buoyancy_lift``, the net lift of buoyancy modules in water, has no effect on the simulation,
     because ``submerged_weight`` already includes the lift. Only the minimum tension formula of the command

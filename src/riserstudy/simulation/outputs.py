@@ -163,9 +163,8 @@ def histories(arrays: Arrays, model: Model, record: Record, of: Wanted) -> Array
         least, most = (ends[name + side][of.nodes] for side in ("_min", "_max"))
         full[name] = np.clip(record.history[:, k, :], least, most)
     if "mesh_flexibility" in arrays:
-        ends["mesh_moment_max"], ends["mesh_moment_min"] = (
-            side[len(names), :-1] for side in (record.largest, record.smallest)
-        )
+        ends["mesh_moment_max"] = record.largest[len(names), :-1]
+        ends["mesh_moment_min"] = record.smallest[len(names), :-1]
     if "mesh_above_ring_static" in arrays:
         ends["mesh_above_ring"] = _above_ring(model, record)
         most, least = record.largest[len(names), -1], record.smallest[len(names), -1]
