@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from each.draining import FULL, GRAVITY, held, others
+from each.draining import FULL, GRAVITY, along, held, others
 from rig import Rig, differences
 from surroundings import N
 
@@ -13,7 +13,8 @@ from riserstudy.effects.draining import Draining
 def test_weight_and_contents_have_the_mass_that_is_left(d):
     rig = Rig(Draining, d)
     weight, inside = others(d)
-    mass = held(*(np.interp(rig.s.clock[0], rig.record.time, row) for row in rig.record[2:4]))
+    levels = (rig.record.top, rig.record.water)
+    mass = held(*(np.interp(rig.s.clock[0], rig.record.time, level) for level in levels))
     np.testing.assert_allclose(inside.mass, mass, rtol=1e-3)  # sampled to a ten thousandth
     np.testing.assert_array_equal(inside.minus, -inside.mass)
     lifted = weight.load.sum() - rig.record.dead.sum()
@@ -37,21 +38,18 @@ def test_what_leaves_takes_its_motion_with_it(d):
     _, supplied = rig.flow()
     rig.s.v[:] = np.outer(rig.s.tangent[:, 0], np.ones(N + 1))  # along the pipe: no motion across
     rig.evaluate()
-    thrust = rig.record.mass @ np.full(N, np.interp(clock[0], rig.record.time, rig.record.acceleration))
-    _, along = rig.flow()
+    thrust = (along(rig.record, rig.s, rig.record.mass) * rig.s.v).sum()
+    _, straight = rig.flow()
     above = rig.s.r[-1, :-1] + rig.s.r[-1, 1:] - 2.0 * rig.record.level
     up = (rig.record.change * above).sum() * 0.5 * GRAVITY
-    assert along == pytest.approx(thrust + up, rel=1e-9)
+    assert straight == pytest.approx(thrust + up, rel=1e-9)
     assert grown < 0.0
     assert supplied - up - _work(rig, d) == pytest.approx(grown, rel=1e-6)
 
 
 def _work(rig, d):
-    """Power of the column's acceleration at the velocities that a fresh case has."""
+    """Power of the flow's force along the riser at the velocities that a fresh case has."""
     fresh = Rig(Draining, d)
     rig.s.v[:] = fresh.s.v
     rig.evaluate()
-    clock = rig.s.clock[0]
-    rate = np.interp(clock, rig.record.time, rig.record.acceleration)
-    ends = 0.5 * (rig.s.v[:, :N] + rig.s.v[:, 1 : N + 1])
-    return float((rig.record.mass * rate * (rig.s.tangent * ends).sum(axis=0)).sum())
+    return float((along(rig.record, rig.s, rig.record.mass) * rig.s.v).sum())

@@ -19,6 +19,8 @@ def draining(seed):
     at = 0.7 * tree["analysis"]["duration"]
     tree["top"]["telescopic_joint"]["stop"] = {"collapse": "4 m", "stiffness": "5 MN/m"}
     tree["bottom"]["body"] = {"name": "LMRP", "mass": 7e4, "submerged_weight": "300 kN"}
+    for k, part in enumerate(tree["riser"]):
+        part["inner_diameter"] *= 1.0 - 0.03 * (k % 3)
     tree["disconnect"] = {
         "at": f"{at!r} s",
         "over": "0.3 s",

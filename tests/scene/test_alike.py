@@ -53,7 +53,7 @@ def scene(rng, other=1.0, what=""):
     }  # fmt: skip
 
 
-SAME = ("damping", "bore", "density", "level")
+SAME = ("damping", "density", "level")
 
 
 @pytest.mark.parametrize("seed", range(60))

@@ -17,7 +17,6 @@ def released(seed, **release):
     tree["analysis"] = timed(1.0, 0.02, 16, 0.1)
     scene = written(tree)
     for part in scene["riser"]:
-        part["inner_diameter"] = scene["riser"][0]["inner_diameter"]
         part["contents"] = {"density": "1800 kg/m^3"}
     scene["bottom"]["body"] = {"name": "LMRP", "mass": "100 t", "submerged_weight": "800 kN"}
     scene["top"]["telescopic_joint"]["tension"] = "3 MN"  # lifts the LMRP off

@@ -1,16 +1,21 @@
 r"""Contents that drain from a disconnected riser, and sea water that follows them.
 
-The contents move along the riser as one column, with the speed V(t) downwards. The column follows the lateral
-motion of the riser, but not its axial motion. Including the wall friction, the load in the effective tension
-is
+The contents move along the riser as one column, with the volume flow Q(t) downwards. The column follows the
+lateral motion of the riser, but not its axial motion. Including the wall friction, the load in the effective
+tension is
 
-.. math:: f = -m(s, t)\,g\,\hat z + m(s, t)\,\dot V\,\hat t, \qquad m = \rho_i A_i
+.. math:: f = -m(s, t)\,g\,\hat z + \rho_i\,\dot Q\,\hat t, \qquad m = \rho_i A_i
 
 The load f acts on the filled length of the riser, with the density :math:`\rho_i` of the fluid and the area
-:math:`A_i` of the bore. Speed and level of the column come from a table (`model.mud_column`). The effects
-`weight` and `contents` use the remaining mass that this effect computes. Contents that flow out carry their
-kinetic energy out of the riser. The model neglects the momentum :math:`\rho A V^2` of the flow through a
-curved or rotating riser, which is small compared with the tension.
+:math:`A_i` of the bore. Where the bore changes from :math:`A_+` above to :math:`A_-` below, the flow changes
+its momentum, and pulls with
+
+.. math:: F = \rho_i Q^2 (1/A_- - 1/A_+)\,\hat t
+
+Flow and level of the column come from a table (`model.mud_column`). The effects `weight` and `contents` use
+the remaining mass that this effect computes. Contents that flow out carry their kinetic energy out of the
+riser. The model neglects the momentum :math:`\rho Q^2 / A` of the flow through a curved or rotating riser,
+which is small compared with the tension.
 
 References
 ----------
@@ -26,18 +31,20 @@ import numpy as np
 from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import SUPPLIED, axis
-from riserstudy.solve.vec import add, at, dot, mul, outer, plus, plus_block, sub, unity
+from riserstudy.solve.vec import at, dot, mul, outer, plus, plus_block, sub, unity
 
 
 class Draining(NamedTuple):
     """The column over time, the segments that it fills, and the arrays of other effects that it writes."""
 
     time: np.ndarray  # (k,) at equal intervals from the release on (s)
-    acceleration: np.ndarray  # (k,) of the column, downwards (m/s2)
+    acceleration: np.ndarray  # (k,) rate of the volume flow downwards (m3/s2)
+    square: np.ndarray  # (k,) square of the volume flow (m6/s2)
     top: np.ndarray  # (k,) level above the riser's lower end (m)
     water: np.ndarray  # (k,) level up to which sea water has entered (m)
     foot: np.ndarray  # (n,) height of each segment's lower end above the riser's lower end (m)
     bore: np.ndarray  # (n,) inner area of the segments that hold contents, else 0 (m2)
+    steps: np.ndarray  # (n+1,) where the bore changes: 1/area below minus 1/area above (1/m2), else 0
     densities: tuple[float, float]  # of contents and of sea water (kg/m3)
     gravity: float  # (m/s2)
     mass: np.ndarray  # (n,) inside each segment now (kg)
@@ -98,19 +105,35 @@ def place(column, s):
 
 @inner
 def _thrust(column, s, e):
-    """Half of the force of the column's acceleration along a segment (N)."""
+    """Force along a segment (N, 2 values): on its lower and on its upper end."""
     k, x = _now(column, s)
     rate = (1.0 - x) * column.acceleration[k] + x * column.acceleration[k + 1]
-    return 0.5 * column.mass[e] * rate
+    half = 0.5 * column.mass[e] / column.bore[e] * rate if column.bore[e] > 0.0 else 0.0
+    return half + _turning(column, e, k, x), half + _turning(column, e + 1, k, x)
+
+
+@inner
+def _turning(column, i, k, x):
+    """Half of the force of the flow at a step of the bore (N)."""
+    if column.steps[i] == 0.0:
+        return 0.0
+    square = (1.0 - x) * column.square[k] + x * column.square[k + 1]
+    top = (1.0 - x) * column.top[k] + x * column.top[k + 1]
+    water = (1.0 - x) * column.water[k] + x * column.water[k + 1]
+    contents, sea = column.densities
+    height = column.foot[i]
+    density = sea if height < water else contents if height < top else 0.0
+    return 0.5 * density * square * column.steps[i]
 
 
 @inner
 def force(column, s):
-    """Force along the riser by which the column's acceleration reduces its weight."""
+    """Force along the riser by which the column's acceleration and its changes of speed reduce its weight."""
     for e in range(s.l0.shape[0]):
-        push = mul(_thrust(column, s, e), at(s.dim, s.tangent, e))
-        plus(s.force, e, push)
-        plus(s.force, e + 1, push)
+        low, high = _thrust(column, s, e)
+        t = at(s.dim, s.tangent, e)
+        plus(s.force, e, mul(low, t))
+        plus(s.force, e + 1, mul(high, t))
     return 0.0
 
 
@@ -119,12 +142,13 @@ def tangent(column, s):
     """Derivative by the direction of the segment."""
     unit = unity(s.dim)
     for e in range(s.l0.shape[0]):
+        low, high = _thrust(column, s, e)
         t = at(s.dim, s.tangent, e)
-        turned = mul(_thrust(column, s, e) * s.inverse_length[e], sub(unit, outer(t, t)))
-        plus_block(s.k_node, e, turned)
-        plus_block(s.k_low, e, turned)
-        plus_block(s.k_up, e, mul(-1.0, turned))
-        plus_block(s.k_node, e + 1, mul(-1.0, turned))
+        turned = mul(s.inverse_length[e], sub(unit, outer(t, t)))
+        plus_block(s.k_node, e, mul(low, turned))
+        plus_block(s.k_low, e, mul(high, turned))
+        plus_block(s.k_up, e, mul(-low, turned))
+        plus_block(s.k_node, e + 1, mul(-high, turned))
     return 0.0
 
 
@@ -137,12 +161,12 @@ def _across(s, i):
 
 @inner
 def power(column, s):
-    """Power (W) of the column's acceleration, of the decreasing weight, and of the mass that leaves."""
+    """Power (W) of the force along the riser, of the decreasing weight, and of the mass that leaves."""
     up = len(s.dim) - 1
     own, other = s.share[0], s.share[1]
     for e in range(s.l0.shape[0]):
-        t, low, high = at(s.dim, s.tangent, e), at(s.dim, s.v, e), at(s.dim, s.v, e + 1)
-        s.flow[SUPPLIED] += _thrust(column, s, e) * dot(t, add(low, high))
+        t, thrust = at(s.dim, s.tangent, e), _thrust(column, s, e)
+        s.flow[SUPPLIED] += thrust[0] * dot(t, at(s.dim, s.v, e)) + thrust[1] * dot(t, at(s.dim, s.v, e + 1))
         change = column.change[e]
         if change == 0.0:
             continue

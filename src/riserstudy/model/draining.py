@@ -27,14 +27,20 @@ def draining(scene: Resolved, mesh: Mesh, model: Model) -> Iterator[Effect]:
     inside = next((e.record for e in model.effects if e.because == "riser.contents"), None)
     if not isinstance(weight, Weight):
         raise TypeError("contents without weight")  # the scene has gravity
+    bore = full / (contents.density * mesh.l0)
+    steps = np.zeros(len(full) + 1)
+    filled = int((bore > 0.0).sum())  # from the lower end upwards
+    steps[1:filled] = 1.0 / bore[: filled - 1] - 1.0 / bore[1:filled]
     moving = (inside.mass, inside.minus) if isinstance(inside, AddedMass) else np.zeros((2, len(full)))
     record = Draining(
         time=scene.disconnect.at + column.time,
         acceleration=column.acceleration,
+        square=column.rate**2,
         top=column.top,
         water=column.water,
         foot=np.concatenate([[0.0], np.cumsum(mesh.l0)[:-1]]),
-        bore=full / (contents.density * mesh.l0),
+        bore=bore,
+        steps=steps,
         densities=(contents.density, scene.water.density if scene.water else 0.0),
         gravity=scene.gravity or 0.0,
         mass=full.copy(),
@@ -63,14 +69,16 @@ def flow_of(scene: Resolved) -> Flow | None:
         raise TypeError("nothing to drain")  # refused by the scene
     foot = scene.bottom.elevation or 0.0
     top = sum(s.total_length for s in filled) if contents.level is None else contents.level - foot
+    ends = np.cumsum([s.total_length for s in filled[:-1]])
     column = Column(
         length=top,
         depth=water.surface - foot,
-        bore=filled[0].inner_diameter or 0.0,
+        bore=tuple(s.inner_diameter or 0.0 for s in filled),
         contents=contents.density,
         sea=water.density,
         gravity=scene.gravity or 0.0,
         friction=release.drain.friction,
         losses=release.drain.losses or 0.0,
+        ends=tuple(ends.tolist()),
     )
     return flow(column, end - release.at)

@@ -5,6 +5,7 @@ The closed forms of the column, and of what hangs while it drains, are in tests/
 
 from __future__ import annotations
 
+import math
 from functools import cache
 
 import numpy as np
@@ -14,7 +15,8 @@ from riserstudy.effects.added_mass import AddedMass
 from riserstudy.effects.draining import Draining
 from riserstudy.effects.weight import Weight
 
-BORE, CONTENTS, SEA, GRAVITY = 0.19, 1400.0, 1025.0, 9.81
+CONTENTS, SEA, GRAVITY = 1400.0, 1025.0, 9.81
+BORE = np.linspace(0.15, 0.22, N)[np.argsort(np.cos(7.0 * np.arange(N)))]  # another one for each segment
 FOOT = np.append(0.0, np.cumsum(L0)[:-1])
 FULL = BORE * CONTENTS * L0
 
@@ -28,14 +30,27 @@ def held(level, water):
 
 def draining(record, s):
     time = s.clock[0]
-    top, water, rate = (
-        np.interp(time, record.time, row) for row in (record.top, record.water, record.acceleration)
+    inside = held(*(np.interp(time, record.time, row) for row in (record.top, record.water)))
+    return {"force": along(record, s, inside)}
+
+
+def along(record, s, mass):
+    """Newton's second law for the fluid of each segment, and for what passes from one bore into another."""
+    time = s.clock[0]
+    top, water, rate, square = (
+        np.interp(time, record.time, row)
+        for row in (record.top, record.water, record.acceleration, record.square)
     )
-    push = held(top, water) * rate * s.tangent
+    push = mass / BORE * rate * s.tangent
     out = np.zeros_like(s.force)
     out[:, :N] += 0.5 * push
     out[:, 1 : N + 1] += 0.5 * push
-    return {"force": out}
+    for i in range(1, N):
+        density = SEA if FOOT[i] < water else CONTENTS if FOOT[i] < top else 0.0
+        faster = math.sqrt(square) / BORE[i - 1] - math.sqrt(square) / BORE[i]
+        mean = 0.5 * (s.tangent[:, i - 1] + s.tangent[:, i])
+        out[:, i] += density * math.sqrt(square) * faster * mean
+    return out
 
 
 @cache
@@ -49,11 +64,13 @@ def _column(d: int) -> Draining:
     time = 1.0 + 0.5 * np.arange(14)
     return Draining(
         time=time,
-        acceleration=5.0 - time,
+        acceleration=0.2 * (5.0 - time),
+        square=(0.3 * (time - 1.0)) ** 2,
         top=55.0 - 0.4 * (time - 1.0) ** 2,
         water=np.maximum(3.0 * (time - 3.0), 0.0),
         foot=FOOT,
-        bore=np.full(N, BORE),
+        bore=BORE,
+        steps=np.concatenate([[0.0], 1.0 / BORE[:-1] - 1.0 / BORE[1:], [0.0]]),
         densities=(CONTENTS, SEA),
         gravity=GRAVITY,
         mass=FULL.copy(),

@@ -67,7 +67,7 @@ def _throttled(scene: Parts, valve: RecoilValve) -> Iterator[Misfit]:
 
 
 def _drains(scene: Parts) -> Iterator[Misfit]:
-    """Draining contents must be one uniform column from the lower end upwards, in a sea of known level."""
+    """Draining contents must be one fluid from the lower end upwards, in a sea of known level."""
     path, filled = "disconnect.drain", [s for s in scene.riser if s.contents]
     if not filled or any(s.contents for s in scene.riser[len(filled) :]):
         found = "requires contents from the lowest section upwards, without a gap"
@@ -76,9 +76,9 @@ def _drains(scene: Parts) -> Iterator[Misfit]:
         return
     inside = [s.contents for s in filled if s.contents]
     same = alike(c.density for c in inside) and alike(c.level for c in inside)
-    if not (same and alike(s.inner_diameter for s in filled)):
-        found = "contents or inner_diameter differ between sections"
-        remedy = "give the same contents and inner_diameter to all sections with contents"
+    if not same:
+        found = "contents differ between sections"
+        remedy = "give the same contents to all sections with contents"
         yield Misfit(path, found, remedy, ("riser",))
     if scene.water is None or scene.water.surface is None:
         found = "requires the elevation of the water surface, for the pressure of the sea at the lower end"
