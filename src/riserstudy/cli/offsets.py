@@ -39,6 +39,14 @@ ReachOption = Annotated[
     ),
 ]
 
+TowardsOption = Annotated[
+    str | None,
+    typer.Option(
+        help="direction of positive offsets, from +x towards +y, such as '45 deg'; default: +x",
+        metavar="ANGLE",
+    ),
+]
+
 
 def operability(
     scene: SceneArgument,
@@ -51,6 +59,7 @@ def operability(
             metavar="OUTPUT=VALUE",
         ),
     ] = None,
+    towards: TowardsOption = None,
     settings: SetOption = None,
 ) -> None:
     """Compute the static offset range within which each limit is met.
@@ -61,11 +70,13 @@ def operability(
     file = scene_of(scene, settings)
     require_limits(file)
     riser, far = file.resolved(), positive("--reach", reach, "m")
-    added = _allowances(allowance, riser.limits or [])
+    added, direction = _allowances(allowance, riser.limits or []), _direction(towards)
     compile_as_needed()
     from riserstudy.design.operability import offsets
 
-    found = offsets(riser, far, added)
+    found = offsets(riser, far, added, direction)
+    if towards is not None:
+        print(_positive(towards))
     for line in _ranges(riser.limits or [], found, added):
         print(line)
     if any(between.missing for between in found):
@@ -105,6 +116,7 @@ def envelope(
             metavar="TIME",
         ),
     ] = None,
+    towards: TowardsOption = None,
     settings: SetOption = None,
     csv: CsvOption = None,
     force: ForceOption = False,
@@ -123,7 +135,7 @@ def envelope(
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)
     require_limits(file)
-    far = positive("--reach", reach, "m")
+    far, direction = positive("--reach", reach, "m"), _direction(towards)
     speeds = [quantity("--current", one, "m/s") for one in current]
     sea_states = [_sea(one) for one in sea or []]
     for option, given in (("--seeds", seeds), ("--exposure", exposure)):
@@ -140,7 +152,9 @@ def envelope(
     seas = [Sea(*one) for one in sea_states]
     for one in seas:
         in_sea(file, one, 1).resolved()  # refuses a scene without a sea before any run
-    found = computed(file, far, speeds, seas, seeds or SEEDS, notify, storm)
+    found = computed(file, far, speeds, seas, seeds or SEEDS, notify, storm, direction)
+    if towards is not None:
+        print(_positive(towards))
     show(found.table, csv)
     if seas:
         print(_allowed_for(run_of(file.resolved()), storm, seeds or SEEDS))
@@ -148,6 +162,16 @@ def envelope(
         print(f"{name}: not evaluated: {why}; rows with this note leave this limit out")
     if found.missing:
         raise typer.Exit(4)
+
+
+def _direction(text: str | None) -> float:
+    """Direction of positive offsets (rad)."""
+    return 0.0 if text is None else quantity("--towards", text, "rad")
+
+
+def _positive(towards: str) -> str:
+    """A line on the direction of positive offsets."""
+    return f"offsets are positive towards {towards} (from +x towards +y)"
 
 
 def _allowed_for(run: float, storm: float | None, seeds: int) -> str:

@@ -49,6 +49,7 @@ def envelope(
     seeds: int,
     notify: Callable[[str], None] = lambda _: None,
     storm: float | None = None,
+    towards: float = 0.0,
 ) -> Envelope:
     """Offsets between which the limits of each mode are met, for risers at rest with allowances for seas.
 
@@ -63,10 +64,11 @@ def envelope(
     seeds : number of runs for each sea and current.
     notify : function that receives a description of the next run.
     storm : duration of the seas (s); None: that of a run after its ramps.
+    towards : direction of positive offsets, from x towards y (rad).
     """
     scene = file.resolved()
     limits = scene.limits or []
-    moved(scene, 0.0)  # refuses a scene without an offset that can be changed
+    moved(scene, 0.0, towards)  # refuses a scene without an offset that can be changed
     with_speeds = [with_current(scene, speed) for speed in currents]
     over_limits = coordinates(limits)
     found = np.full((max(len(seas), 1), len(currents), len(limits), len(SIDES)), math.nan)
@@ -77,7 +79,7 @@ def envelope(
         change = partial(with_current, speed=speed)
         in_seas = [partial(allowances, file, sea, seeds, storm=storm) for sea in seas]
         notify(f"offsets in a current of {speed:g} m/s")
-        for n, between in enumerate(_each(of, reach, change, in_seas, notify)):
+        for n, between in enumerate(_each(of, reach, towards, change, in_seas, notify)):
             for k, one in enumerate(between):
                 found[n, c, k], also[n, c, k] = one[:2], one.also
                 if one.missing:
@@ -100,7 +102,12 @@ def envelope(
 
 
 def _each(
-    scene: Resolved, reach: float, change: Change, in_seas: Sequence[InSea], notify: Callable[[str], None]
+    scene: Resolved,
+    reach: float,
+    towards: float,
+    change: Change,
+    in_seas: Sequence[InSea],
+    notify: Callable[[str], None],
 ) -> list[list[Offsets]]:
     """Offsets of all limits in calm water, or in each sea; all seas share the static solutions.
 
@@ -114,11 +121,11 @@ def _each(
     """
     limits = scene.limits or []
     try:
-        at = AtRest(scene, reach)
+        at = AtRest(scene, reach, towards)
     except SimulationError as failure:
         lost = Offsets(math.nan, math.nan, f"a static equilibrium ({failure})")
         return [[lost] * len(limits)] * max(len(in_seas), 1)
-    own = offset_of(scene)
+    own = offset_of(scene, towards)
     found = []
     for in_sea in in_seas:
         here = (own, in_sea(notify=notify, change=change))
@@ -127,7 +134,7 @@ def _each(
         def there(end: float, in_sea: InSea = in_sea) -> list[Allowance]:
             return in_sea(
                 notify=lambda text: notify(f"{text}, at an offset of {end:.4g} m"),
-                change=lambda moving: at_offset(change(moving), end),
+                change=lambda moving: at_offset(change(moving), end, towards),
             )
 
         added = with_ends(limits, here, ends_of(limits, first, reach), reach, there)

@@ -1,8 +1,8 @@
 """Offsets at which limits are reached, to both sides of the well, for risers at rest, limit by limit.
 
-An offset is the distance of the riser's top from the well along x, with the platform upright. The platform,
-the tensioners and their deck have the same offset. A sway and tilts of the platform's position
-stay as they are.
+An offset is the distance of the riser's top from the well along x, or along another direction. The platform,
+the tensioners and their deck have the same offset. The platform's position across it, and its tilts, stay
+as they are.
 
 Waves are represented by a dynamic allowance, which is added to the static value of an output. Limits on means
 have no allowance.
@@ -22,6 +22,7 @@ from scipy.optimize import brentq, minimize_scalar
 from riserstudy.dataset.limits import Error, demand_of, error_of, rows_of, taken_by, too_coarse
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.mesh import Mesh, own_mesh
+from riserstudy.records.arrays import FloatArray
 from riserstudy.records.facts import RunFacts
 from riserstudy.scene.at_rest import at_rest, static
 from riserstudy.scene.forcing import Position
@@ -37,6 +38,7 @@ from riserstudy.study.processes import each
 
 NODES = 17  # number of initial offsets of a search, the same for all limits
 CLOSE = 0.05  # m, tolerance of an offset
+EXACT = 15  # digits of a direction, so that a right angle moves nothing across itself
 #: dynamic allowance of an output, in the SI unit of its limit: at all places, or by place
 Added = float | Mapping[str, float]
 #: a dynamic allowance, or a function that gives it for an offset (m)
@@ -58,7 +60,9 @@ class Offsets(NamedTuple):
     also: float = math.nan
 
 
-def offsets(scene: Resolved, reach: float, allowances: Mapping[str, Added]) -> list[Offsets]:
+def offsets(
+    scene: Resolved, reach: float, allowances: Mapping[str, Added], towards: float = 0.0
+) -> list[Offsets]:
     """The offsets between which each limit of a scene is met.
 
     Parameters
@@ -67,11 +71,12 @@ def offsets(scene: Resolved, reach: float, allowances: Mapping[str, Added]) -> l
     reach : largest offset of the search to both sides (m).
     allowances : dynamic allowances by output, in the SI unit of its limit, at all places of the output or by
         place as in extremes; absent: none.
+    towards : direction of positive offsets, from x towards y (rad).
     """
     limits = scene.limits or []
-    moved(scene, 0.0)  # refuses a scene without an offset that can be changed
+    moved(scene, 0.0, towards)  # refuses a scene without an offset that can be changed
     try:
-        at = AtRest(scene, reach)
+        at = AtRest(scene, reach, towards)
     except SimulationError as failure:
         missing = f"a static equilibrium ({failure})"
         return [Offsets(math.nan, math.nan, missing) for _ in limits]
@@ -103,11 +108,12 @@ class AtRest:
     Parameters
     ----------
     reach : largest offset (m) for which the mesh must be sufficient.
+    towards : direction of positive offsets, from x towards y (rad).
     """
 
-    def __init__(self, scene: Resolved, reach: float) -> None:
-        self.scene, self.reach = scene, reach
-        self.mesh = own_mesh(scene) or _fine_enough(scene, reach)
+    def __init__(self, scene: Resolved, reach: float, towards: float = 0.0) -> None:
+        self.scene, self.reach, self.towards = scene, reach, towards
+        self.mesh = own_mesh(scene) or _fine_enough(scene, reach, towards)
         self.rows: dict[float, list[dict[str, Any]]] = {}  # extremes by offset
         self.lost: dict[float, str] = {}  # reasons for missing equilibria, by offset
         self.estimated: dict[float, RunFacts] = {}  # facts with an estimated error, by offset
@@ -118,7 +124,7 @@ class AtRest:
             raise SimulationError(self.lost[offset])
         if offset not in self.rows:
             try:
-                found = single(moved(self.scene, offset), self.mesh, None)
+                found = single(moved(self.scene, offset, self.towards), self.mesh, None)
                 self.rows[offset] = found.facts["extremes"]
             except SimulationError as failure:
                 self.lost[offset] = str(failure)
@@ -131,39 +137,56 @@ class AtRest:
         Raises SimulationError when no equilibrium is found.
         """
         if offset not in self.estimated:
-            self.estimated[offset] = run(moved(static(self.scene), offset)).facts
+            self.estimated[offset] = run(moved(static(self.scene), offset, self.towards)).facts
         return error_of(output, self.estimated[offset], own_mesh=True)
 
 
-def moved(scene: Resolved, offset: float) -> Resolved:
+def moved(scene: Resolved, offset: float, towards: float = 0.0) -> Resolved:
     """The scene at rest, with the riser's top, the platform and the tensioners at an offset (m).
 
-    Raises InputError when the riser's top is not held horizontally, or the solver does not evaluate limits.
+    Raises InputError when the riser's top is not held horizontally in the direction ``towards`` (rad), or the
+    solver does not evaluate limits.
     """
     if solver := scene.analysis.solver:
         found = f"the solver {solver!r} does not evaluate limits"
         raise InputError("scene", "analysis.solver", found, "remove it")
-    return at_offset(at_rest(scene), offset)
+    return at_offset(at_rest(scene), offset, towards)
 
 
-def offset_of(scene: Resolved) -> float:
-    """Offset of the riser's top from the well along x (m), with the platform in calm water."""
+def offset_of(scene: Resolved, towards: float = 0.0) -> float:
+    """Offset of the riser's top from the well (m), with the platform in calm water."""
+    return float(_place(scene) @ _along(towards))
+
+
+def _along(towards: float) -> FloatArray:
+    """Unit vector (x, y) of a direction (rad), without the rounding of right angles."""
+    return np.round([math.cos(towards), math.sin(towards)], EXACT)
+
+
+def _place(scene: Resolved) -> FloatArray:
+    """Position (x, y) of the riser's top above the well (m), with the platform in calm water."""
     place = scene.platform and scene.platform.position
     follows = scene.top.x == "platform" and place
-    return (scene.top.offset or 0.0) + ((place.surge or 0.0) if follows and place else 0.0)
+    aside = (place.surge or 0.0, place.sway or 0.0) if follows and place else (0.0, 0.0)
+    return np.array([(scene.top.offset or 0.0) + aside[0], aside[1]])
 
 
-def at_offset(scene: Resolved, offset: float) -> Resolved:
+def at_offset(scene: Resolved, offset: float, towards: float = 0.0) -> Resolved:
     """The scene, also in motion, with the riser's top, the platform and the tensioners at an offset (m).
 
-    Raises InputError when the riser's top is not held horizontally.
+    Raises InputError when the riser's top is not held horizontally, or not in the direction ``towards``
+    (rad, from x towards y).
     """
-    top = scene.top
+    top, along = scene.top, _along(towards)
     if top.x == "platform" and scene.platform:
+        place = _place(scene) + (offset - offset_of(scene, towards)) * along
         position = scene.platform.position or Position()
-        position = position.replaced(surge=offset - (top.offset or 0.0))
+        position = position.replaced(surge=float(place[0]) - (top.offset or 0.0))
+        if along[1]:
+            position = position.replaced(sway=float(place[1]))
         return scene.replaced(platform=scene.platform.replaced(position=position))
-    if top.x in ("held", "vessel"):
+    if top.x in ("held", "vessel") and not along[1]:
+        offset *= float(along[0])
         moved: dict[str, Any] = {"top": top.replaced(offset=offset)}
         about = scene.platform and scene.platform.centre_of_rotation
         # the centre of rotation moves with the platform, which tilts about it
@@ -171,19 +194,22 @@ def at_offset(scene: Resolved, offset: float) -> Resolved:
             about = about.replaced(x=(about.x or 0.0) + offset - (top.offset or 0.0))
             moved["platform"] = scene.platform.replaced(centre_of_rotation=about)
         return scene.replaced(**moved)
+    if top.x in ("held", "vessel"):
+        found, allowed = f"{top.x!r} holds offsets along x only", "write `platform`, or omit --towards"
+        raise InputError("scene", "top.x", found, allowed)
     allowed = "write `held`, `platform` or `vessel`"
     found = f"{top.x!r} does not hold the riser at an offset" if top.x else "missing, so no offset is held"
     raise InputError("scene", "top.x", found, allowed)
 
 
-def _fine_enough(scene: Resolved, reach: float) -> Mesh:
+def _fine_enough(scene: Resolved, reach: float, towards: float) -> Mesh:
     """The finest of the meshes that the tolerance requires above the well and at both ends of the search."""
     accuracy = 0.5 * (scene.analysis.accuracy or MOMENT)  # the other half is for the offset itself
     still = scene.replaced(analysis=scene.analysis.replaced(duration=None, accuracy=accuracy))
     meshes, why = [], None
     for offset in (0.0, -reach, reach):
         try:
-            refinement = Refinement(moved(still, offset))
+            refinement = Refinement(moved(still, offset, towards))
             refinement.result()
         except SimulationError as failure:
             why = why or failure
