@@ -44,7 +44,7 @@ def liu2020():
     """Joints of 15.24 m with buoyancy, 21 in by 1 in; six cylinders by Eq. 11."""
     joint, dry, buoyed, bore = 15.24, 15334.0, circle(1.22), circle(19 * INCH)
     moved, filled = dry / joint + SEA * buoyed, dry / joint + SEA * (buoyed + bore)
-    yield "E9", f"with added mass, is then {moved:.0f} kg/m"
+    yield "E9", f"with added mass, is {moved:.0f} kg/m"
     yield (
         "E9",
         f"to {filled:.0f} kg/m and lengthen the lateral periods by {100 * (sqrt(filled / moved) - 1):.0f} %",
@@ -60,7 +60,7 @@ def liu2020():
 
     yield "E14", f"pull {pull(0.0):.1f} t at mid-stroke"
     yield "E14", f"is zero at a stroke of {brentq(pull, 0.0, 7.5):.2f} m in compression"
-    yield "E14", f"At 7.5 m the cylinders push with {-pull(7.5):.1f} t"
+    yield "E14", f"At a stroke of 7.5 m in compression the cylinders push with {-pull(7.5):.1f} t"
     yield "E14", f"compressed to {100 * (1.0 - piston * 7.5 / 2.25):.0f} % of its volume"
 
 
