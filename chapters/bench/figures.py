@@ -52,7 +52,7 @@ def surge(s2: xr.Dataset, s2c: xr.Dataset) -> Figure:
         lines += axes[0].plot(history["time"], history, color=colour, linewidth=1.2, label=f"{s:.0f} m")
     axes[0].set_xlabel("time (s)")
     axes[0].set_ylabel("lateral position x (m)")
-    panel_title(axes[0], "S2, distance from bottom")
+    panel_title(axes[0], "S2, by distance from the bottom")
     axes[0].set_xlim(float(s2["time"][-1]) - LAST, float(s2["time"][-1]))
     for colour, (name, scene) in zip(COLOURS, named, strict=False):
         heights = np.linspace(float(scene["s_node"][0]), float(scene["s_node"][-1]), FINE)
@@ -75,7 +75,7 @@ def surge(s2: xr.Dataset, s2c: xr.Dataset) -> Figure:
     legend_below(figure, *axes[1].get_legend_handles_labels(), 2)
     headline(
         figure,
-        "Holding the top in height changes the tension, hardly the largest moment"
+        "Holding the top's height changes the tension, but hardly the largest moment"
         if max(largest) < SAME * min(largest)
         else "Surge with constant top tension, and with the top held at its height",
     )

@@ -137,7 +137,7 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
         ax.set_xlabel(AMPLITUDE)
     for start, colour in OF_START.items():
         axes[0].plot([], [], color=colour, label=f"one sample, {STARTS[start]}")
-    axes[0].plot([], [], color=GREY, lw=2.4, label="thick, dark: decrease")
+    axes[0].plot([], [], color=GREY, lw=2.4, label="thick and dark: $S$ decreases")
     axes[0].plot([], [], color=GREY, lw=0.8, label="$S = 1$")
     axes[0].set_ylabel("asymmetry index $S$")
     key_below(figure, axes[0], 2)
@@ -166,9 +166,9 @@ def _counted(index: xr.DataArray, grows: xr.DataArray) -> str:
     dips = (index.diff("heave_amplitude") <= 0.0).assign_coords(heave_amplitude=ends)
     above = int(dips.sel(heave_amplitude=ends > LOW).any("heave_amplitude").sum())
     rest = int((~grows).sum())
-    where = f"all below {LOW:g} m" if above == 0 else f"{above} of them above {LOW:g} m"
-    text = f"increasing throughout: {int(grows.sum())} of {grows.size} samples"
-    return f"{text}\ndecreasing somewhere: {rest}" + (f", {where}" if rest else "")
+    where = f"all below {LOW:g} m amplitude" if above == 0 else f"{above} above {LOW:g} m amplitude"
+    text = f"$S$ increases throughout in {int(grows.sum())} of {grows.size} samples"
+    return f"{text}\n$S$ decreases in {rest}" + (f", {where}" if rest else "")
 
 
 def _decreases(ax: Axes, lines: xr.DataArray, colour: str) -> None:

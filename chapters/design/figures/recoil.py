@@ -23,7 +23,7 @@ LABELS = (
     "clear of BOP and end stops",
     "LMRP re-contacts the BOP",
     "cylinders stroke out",
-    "both, at equal or different heave phases",
+    "re-contact and stroke-out, at equal or different heave phases",
 )
 QUIET = (0.65, 0.72)  # saturation and value of colours in a circle
 BEFORE = 5.0  # s, shown before the first disconnect
@@ -225,15 +225,21 @@ def recoil_systems(recoil_liu2020: xr.Dataset, recoil_mao: xr.Dataset) -> Figure
         if rise := _first_rise(line):
             rises.append(rise[0])
             liu.plot(*rise, "o", color=colour, markersize=5, zorder=3)
-    panel_title(liu, f"Liu et al. 2020, heave amplitude {heaves[len(heaves) // 2]:g} m; by heave phase")
-    liu.text(0.04, 0.93, "dots: disconnect, at each heave phase", fontsize="small", transform=liu.transAxes)
+    panel_title(liu, f"lift by heave phase, Liu et al. 2020, heave of {heaves[len(heaves) // 2]:g} m")
+    liu.text(
+        0.04,
+        0.93,
+        "dots: disconnect at the heave phase of the line",
+        fontsize="small",
+        transform=liu.transAxes,
+    )
     tensions = recoil_mao["top_tension"].values
     fine = np.linspace(float(recoil_mao["time"][0]), float(recoil_mao["time"][-1]), FINE)
     for shade, tension in zip(shades(COLOURS[0], len(tensions)), tensions, strict=True):
         at = recoil_mao["lift"].sel(top_tension=tension)
         lift = PchipInterpolator(at["time"], at)(fine)
         mao.plot(fine, lift, color=shade, linewidth=1.3, label=f"{tension / 1e3:.1f} MN")
-    panel_title(mao, "Mao et al., no heave; by top tension")
+    panel_title(mao, "lift by top tension, Mao et al., no heave")
     liu.set_ylim(top=1.1 * max(float(of.max()) for of in (one, recoil_mao["lift"])))  # room for a number
     liu.yaxis.set_major_locator(MaxNLocator(10, integer=True))
     for ax in (liu, mao):

@@ -40,7 +40,7 @@ def watch_circles(watch_circles: xr.Dataset) -> Figure:
                 lines[-1] += ax.plot(speed, radius, style, color=colour, label=f"{name}, {eds:g} s")
         rows = max(rows, _late(ax, at))
         ax.set_xlabel("surface current speed (m/s)")
-        ax.set_ylabel("offset at alarm (m)")
+        ax.set_ylabel("platform offset at the alarm (m)")
         ax.sharey(axes[0])
         panel_title(ax, f"mud density {mud:g} kg/m³")
     axes[0].set_ylim(bottom=LOWEST - ROW * rows)
@@ -48,7 +48,7 @@ def watch_circles(watch_circles: xr.Dataset) -> Figure:
     looks: tuple[tuple[str, dict[str, Any]], ...] = (
         ("red alarm, by time to disconnect", {"color": RED}),
         ("yellow alarm, by time to disconnect", {"color": YELLOW}),
-        ("too late even above the well", {"color": GREY, "linestyle": "", "marker": "x"}),
+        ("alarm too late even above the well", {"color": GREY, "linestyle": "", "marker": "x"}),
     )
     handles = [Line2D([], [], **look) for _, look in looks]
     legend_below(figure, handles, [label for label, _ in looks], 4)
@@ -104,7 +104,9 @@ def _plan(ax: Axes, circles: xr.Dataset) -> None:
     ax.set_ylim(-1.15 * reach, 1.35 * reach)  # room for the last label
     ax.set_xlabel("distance along the current (m)")
     ax.set_ylabel("distance across (m)")
-    panel_title(ax, f"plan, {float(at['mud_weight']):g} kg/m³, {speed:g} m/s, {eds:g} s to disconnect")
+    panel_title(
+        ax, f"view from above, {float(at['mud_weight']):g} kg/m³, {speed:g} m/s, {eds:g} s to disconnect"
+    )
 
 
 def _answer(circles: xr.Dataset) -> str:

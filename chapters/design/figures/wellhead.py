@@ -44,7 +44,7 @@ def wellhead_fatigue(wellhead_fatigue: xr.Dataset) -> Figure:
     left.text(
         low, 99.0, f" grey: 90 % of samples,\n a factor of {high / low:.0f}", va="top", fontsize="small"
     )
-    left.set_ylabel("share of samples with less (%)")
+    left.set_ylabel("share of samples with less damage (%)")
     panel_title(left, f"all samples; error of the mesh at most {rounded_up(error)} %")
     names = [str(name) for name in wellhead_fatigue["varied_input"].values]
     shares = 100.0 * wellhead_fatigue["share_explained"].values

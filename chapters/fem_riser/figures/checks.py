@@ -128,8 +128,8 @@ def region(map_trends: xr.Dataset, open_trends: xr.Dataset, change: float) -> Fi
     shares = _shares(axes[3], claims(open_trends, change))
     marks: dict[str, Any] = {"ls": "none", "mec": "none", "ms": 9}
     key = {text: Line2D([], [], ls="none") for text in STATED}
-    key["all six hold"] = Line2D([], [], marker="o", mfc=COLOURS[2], **marks)
-    key["claims that do not hold"] = Line2D([], [], marker="s", mfc="0.9", **marks)
+    key["all six claims are true"] = Line2D([], [], marker="o", mfc=COLOURS[2], **marks)
+    key["false claims"] = Line2D([], [], marker="s", mfc="0.9", **marks)
     legend_below(figure, [*key.values()], [*key], 3)
     headline(
         figure,

@@ -22,6 +22,7 @@ from chapters.fem_riser.claims import (
     PHASES,
     SETTLED,
     averaged,
+    fades_with_depth,
     middle,
     reciprocates,
     settling_time,
@@ -43,6 +44,7 @@ from riserstudy.figures.style import (
 
 LATE = (200.0, 1000.0, 1800.0)  # m, heights of the last window
 ENLARGED = 1950.0  # m, height of the enlarged part of the last profiles
+FADED, NEAR_SURFACE = 0.05, 0.1  # shares of the surface value and of the water depth, as in claim B1
 NEAR = 0.03  # relative difference from the printed time that a title calls nearly
 WINDOWS = ((0.0, 16.0), (17.0, 260.0), (261.0, 300.0))  # s
 PHASE = ListedColormap(colormaps["cividis"](np.linspace(0.0, 0.85, 256)))  # of time
@@ -85,8 +87,17 @@ def fig03(water: xr.Dataset) -> Figure:
         ax.set_ylabel("depth (m)")
     axes[2].set_ylim(float(water["below_surface"][-1]), 0.0)
     axes[2].set_xlim(left=0.0)
-    headline(figure, "Waves move the water near the surface only")
+    deepest = float(fades_with_depth(water, FADED, NEAR_SURFACE).value)
+    headline(figure, _reach_of_waves(deepest, float(water["below_surface"].max())))
     return figure
+
+
+def _reach_of_waves(share: float, depth: float) -> str:
+    """Title: whether the wave motion is confined to the surface; ``share`` of the water depth (m)."""
+    if share <= NEAR_SURFACE:
+        return "Waves move the water near the surface only"
+    deep = f"Waves move the water down to {share * depth:.0f} m"
+    return deep if share < 1.0 else "Waves move the water down to the seabed"
 
 
 def fig04(motion: xr.Dataset) -> Figure:
@@ -111,14 +122,10 @@ def fig04(motion: xr.Dataset) -> Figure:
     key = {
         "(a–c) lumped masses, last profile": Line2D([], [], **OTHER),
         f"(f) mean over a wave at mid-length, {height:g} m": Line2D([], [], **MEAN),
-        f"(f) this mean within {100 * SETTLED:g} % of its last value": Patch(color="0.92"),
+        f"(f) {100 * SETTLED:g} % around the last value of this mean": Patch(color="0.92"),
     }
     legend_below(figure, [*key.values()], [*key], 3)
-    headline(
-        figure,
-        f"Mean deflection at mid-length is steady within {100 * SETTLED:g} % after {settled:.0f} s "
-        "(tide calibrated)",
-    )
+    headline(figure, f"With the calibrated tide, the mid-length deflection is steady after {settled:.0f} s")
     for ax in axes[4:]:
         label_ends(ax, size="x-small")
     axes[3].margins(x=0.0)

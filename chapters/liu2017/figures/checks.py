@@ -35,6 +35,7 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
     """
     figure, (ax,) = panels(height=3.8)
     upper: list[tuple[float, float]] = []  # ends of lines: gain, hull drag
+    pairs = 0  # points on the lines
     weights = sorted(calibration["riser_weight"].values, key=lambda name: float(_first(name)))
     for colour, weight in zip(viridis(np.linspace(0.0, 0.8, len(weights))), weights, strict=True):
         run = calibration.sel(riser_weight=weight).transpose("hull_drag", "gain") * DEGREES
@@ -44,6 +45,7 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
         met = ax.contour(run["gain"], run["hull_drag"], largest.where(still_rising), **style)
         met.set_label(f"riser's weight in water: {weight}")
         gain, drag = max((tuple(end) for line in met.allsegs[0] for end in line), default=(0.0, 0.0))
+        pairs += sum(len(line) for line in met.allsegs[0])
         ax.annotate(
             str(weight), (gain, drag), xytext=(5, 0), textcoords="offset points", va="center",
             color=legible(colour), fontsize="small",
@@ -70,8 +72,13 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
         ax.set_ylim(float(calibration["hull_drag"].min()), 1.2 * max(drag for _, drag in upper))
     ax.set_xlabel("thrusters' gain (kN/m)")
     ax.set_ylabel("hull drag (kN s²/m²)")
-    set_title(figure, f"Many pairs of gain and hull drag give the printed 12° at {deadline:g} s")
+    set_title(figure, f"{_how_many(pairs)} of gain and hull drag give the printed 12° at {deadline:g} s")
     return figure
+
+
+def _how_many(pairs: int) -> str:
+    """Number of pairs in words; a line has two points or more, and a pair at each place along it."""
+    return "Many pairs" if pairs > 1 else "No simulated pair"
 
 
 def _first(weight: str) -> str:
@@ -100,7 +107,7 @@ def coupling(coupling: xr.Dataset) -> Figure:
         ax.set_xlabel(TIME)
         ax.set_ylabel(f"difference in {title}")
     panel_title(axes[0], "surge, largest difference so far")
-    panel_title(axes[1], "upper flex joint angle, likewise")
+    panel_title(axes[1], "upper flex joint angle, largest so far")
     panel_title(axes[2], "Newton iterations")
     iterations = turns["newton_iterations"] / one["newton_iterations"]
     rows = [way.replace(", ", ",\n") for way in ways]
@@ -109,7 +116,7 @@ def coupling(coupling: xr.Dataset) -> Figure:
     axes[2].set_xlim(right=1.3 * float(iterations.max()))  # room for the numbers
     same = axes[2].axvline(1.0, zorder=3, **REFERENCE)
     axes[2].invert_yaxis()
-    axes[2].set_xlabel("ratio to one system")
+    axes[2].set_xlabel("ratio to one system,\nof iterations")
     key: dict[str, Any] = {str(line.get_label()): line for line in axes[0].lines}
     key["(c) one system"] = same
     apart = off["platform_surge"].max("time")
@@ -156,7 +163,7 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
     (dot,) = axes[0].plot([deadline], [UFJ_LIMIT], "o", color="black")
     for ax in axes:
         upright = ax.axvline(deadline, **PRINTED)
-    key[f"printed: {UFJ_LIMIT:g}° at {deadline:g} s, along"] = (upright, dot)
+    key[f"printed for 0° (along): {UFJ_LIMIT:g}° at {deadline:g} s"] = (upright, dot)
     then = angle.sel(heading="along").interp(time=deadline)
     least, most = (float(then.quantile(q)) for q in (0.05, 0.95))
     for end in (least, most):

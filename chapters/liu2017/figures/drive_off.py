@@ -74,7 +74,7 @@ def fig04(driveoff: xr.Dataset) -> Figure:
     names = [f"{way}, {riser} riser" for way in ("along", "against") for riser in ("with", "no")]
     out = [line for line in axes[0].lines if line.get_label() == STROKE_OUT]
     if out:
-        legend_below(figure, out, [f"{STROKE_OUT}, thin line after it"], 1)
+        legend_below(figure, out, [f"{STROKE_OUT}; lines are thin afterwards"], 1)
     lines = [line for line in named(axes[1]) if line.get_label() != STROKE_OUT]
     label_ends(axes[1], lines, names=names)
     return figure

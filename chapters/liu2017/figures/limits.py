@@ -91,7 +91,7 @@ def disconnect(disconnect: xr.Dataset, station: float) -> Figure:
         circles.set_xlabel("angle between hull and\nenvironment (°)")
         circles.set_xticks(range(0, 181, 45))
     drifting = [str(scenario) == DRIFT_OFF for scenario in scenarios]
-    for row, label in ((above, "limit reached after (s)"), (below, "radius of the red circle (m)")):
+    for row, label in ((above, "time to reach the limit (s)"), (below, "radius of the red circle (m)")):
         for drift in (False, True):  # drive-offs have one scale, the drift-off a separate scale
             alike = [ax for ax, other in zip(row, drifting, strict=True) if other == drift]
             top = max((ax.get_ylim()[1] for ax in alike), default=1.0)

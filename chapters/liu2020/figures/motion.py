@@ -11,7 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from scipy.signal import find_peaks, peak_prominences
 
-from chapters.liu2020.below_ring import RING
+from chapters.liu2020.below_ring import RING, first_at
+from chapters.liu2020.derived.motion import ARRIVED
 from chapters.liu2020.figures.colours import CARRIED, NAMES, OF_TOP, ON_PLATFORM, ON_TENSIONERS, WITHOUT
 from chapters.liu2020.figures.motion_shared import DEPTH, TIME, by_depth
 from riserstudy.figures.direct import label_ends, label_line
@@ -61,8 +62,15 @@ def _surged(surge_case: xr.Dataset, model: str, title: str) -> Figure:
     engine = figure.get_layout_engine()
     if engine is not None:
         engine.set(wspace=0.1)  # type: ignore[call-arg]  # separates the end labels of the two time axes
-    headline(figure, f"Surge waves travel down a riser {title}")
+    finding = "Surge waves travel down" if _travels_down(x) else "Displacement under surge of"
+    headline(figure, f"{finding} a riser {title}")
     return figure
+
+
+def _travels_down(x: xr.DataArray) -> bool:
+    """Whether the motion begins later at each greater depth, as in claim Q7; ``x`` over time and depth."""
+    begun = first_at(x.interp(depth=list(DEPTHS)), ARRIVED)
+    return bool((begun.diff("depth") > 0.0).all())
 
 
 def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
@@ -95,7 +103,7 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
         change = 100.0 * (float(ratio.sel(depth=depth)) - 1.0)
         later = float(phase_lag.sel(depth=depth))
         moved = f"{change:+.0f} %".replace("-", "−")
-        panel_title(ax, f"{depth:.0f} m; on tensioners {moved}, {later:.0f}° later")
+        panel_title(ax, f"{depth:.0f} m; tensioners: displacement {moved}, {later:.0f}° later")
     for ax in axes[2:]:
         ax.set_xlabel(TIME)
     for ax in axes[::2]:
@@ -188,7 +196,7 @@ def _samples(ax: Axes, values: xr.DataArray, even: tuple[float, float]) -> None:
             color="black" if holds else "0.4", **written,
         )  # fmt: skip
     ax.plot([], [], "o", color=GREY, ms=4, alpha=0.5, label="one sample")
-    ax.plot([], [], color=GREY, lw=2.5, label="90 % of them")
+    ax.plot([], [], color=GREY, lw=2.5, label="90 % of the samples")
     ax.plot([], [], "|", color="black", ms=9, mew=2.0, ls="none", label="median")
     right = ax.get_xlim()[1] + ROOM * float(np.ptp(ax.get_xlim()))
     ax.axvspan(even[1], right, color="0.93", zorder=0)
@@ -217,7 +225,7 @@ def fig19(roll_case: xr.Dataset, largest: float) -> Figure:
     figure.colorbar(
         axes[0].collections[0], ax=axes[:2], location="bottom", aspect=40, label="bending moment (kN m)"
     )
-    label = f"printed: {largest:g} kN m (centre of rotation calibrated to it)"
+    label = f"printed: {largest:g} kN m, to which the centre of rotation is calibrated"
     axes[2].axvline(largest, label=label, **PRINTED)
     axes[2].set_xlabel("largest bending moment (kN m)")
     panel_title(axes[2], "largest over time")
@@ -263,7 +271,7 @@ def fig20(roll: xr.Dataset, largest: float) -> Figure:
     count = f"{COUNTS.get(len(peaks), str(len(peaks)))} resonance{'' if len(peaks) == 1 else 's'}"
     headline(
         figure,
-        f"The moment decreases with roll period, interrupted by {count}"
+        f"The moment decreases with roll period, except at {count}"
         if falls
         else f"The moment has {count} over roll period",
     )

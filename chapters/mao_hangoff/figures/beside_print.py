@@ -16,7 +16,7 @@ from chapters.mao_hangoff.runs import distance, largest, misses_of_print
 from riserstudy.figures.style import GREY, PRINTED, headline, key_below, panel_title, panels
 
 MARKS = ("o", "s", "^", "D", "v", "P")
-NEAREST = "nearest to all three numbers"
+NEAREST = "closest to all three numbers"
 HOLLOW: dict[str, Any] = {"ls": "none", "ms": 4.5, "mfc": "none", "mew": 0.9}
 STAR: dict[str, Any] = {"marker": "*", "ms": 10, "mec": "white", "mew": 0.8}  # the printed numbers
 RING: dict[str, Any] = {"color": "black", "marker": "o", "ms": 13, "mfc": "none", "ls": "none"}
@@ -111,7 +111,7 @@ def _two_way_key(
     ]
     columns = [
         [_legend_line("weight in water"), *colours],
-        [_legend_line("current, to the track"), *marks],
+        [_legend_line("current direction"), *marks],
         [_legend_line("compared values"), *others],
     ]
     rows = max(len(column) for column in columns)

@@ -36,7 +36,7 @@ def speed_limits(speed_limits: xr.Dataset) -> Figure:
         at = speed_limits.sel(current_speed=current)
         _speeds(ax, at, governing)
         knots = float((at["speed_through_water"] - at["speed_limit"]).mean())
-        words = f"current against: {current:g} m/s ({knots:.1f} kn)"
+        words = f"opposing current: {current:g} m/s ({knots:.1f} kn)"
         panel_title(ax, words if current else "no current")
         ax.set_xticks(at["riser_length"].values)
         ax.set_xlabel("riser length (m)")

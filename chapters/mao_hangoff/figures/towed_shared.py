@@ -70,7 +70,7 @@ def towed_panels(
     axes[2].tick_params(labelbottom=False)
     axes[2].set_xlabel("")
     panel_title(axes[0], current)
-    panel_title(axes[1], "size of the moment")
+    panel_title(axes[1], "magnitude of the moment")
     down(axes[0], ASTERN)
     down(axes[1], MOMENT)
     return figure

@@ -186,7 +186,7 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
     _ahead_and_astern(axes[0])
     titles = (
         "shape at 130 s, current 3 m/s (assumed)",
-        "size of the moment",
+        "magnitude of the moment",
         "axial motion, interpretation 1",
         "LMRP at 130 s, displacement positive astern",
     )

@@ -72,8 +72,8 @@ def answer(long_runs: xr.Dataset) -> str:
     met = [case for case in cases if _quickest(_of_case(long_runs, case)) is not None]
     good = long_runs["error_moment"].values <= WANTED
     if met == cases and (long_runs["mesh"].values[good] == GRADED).all():
-        return f"Only graded meshes reach a moment error below {error} in long runs"
-    return f"{len(met)} of {len(cases)} long runs have a setting with an error below {error}"
+        return f"In long simulations, only graded meshes reach a moment error below {error}"
+    return f"{len(met)} of {len(cases)} long simulations reach a moment error below {error}"
 
 
 def _panel(ax: Axes, of: xr.Dataset, candidates: list[tuple[str, str]]) -> None:
@@ -102,7 +102,7 @@ def _panel(ax: Axes, of: xr.Dataset, candidates: list[tuple[str, str]]) -> None:
 def _in_words(method: str, mesh: str) -> str:
     """Name of a candidate in the key."""
     if method == OWN:
-        return "paper's mesh and time step, run here"
+        return "paper's mesh and time step, on this computer"
     return f"{METHODS.get(method, method)}, {'uniform' if mesh == EVEN else mesh} mesh"
 
 

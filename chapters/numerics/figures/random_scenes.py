@@ -107,7 +107,7 @@ def _costs(ax: Axes, of: xr.Dataset) -> None:
             ax.plot(values, rows, "o", color=COLOURS[0], markersize=5,
                     markerfacecolor=COLOURS[0] if kind else "none")  # fmt: skip
     ax.annotate(
-        "scenes with no\ncheaper setting", (1.02, 1.01), xycoords="axes fraction", va="bottom",
+        "scenes with no\ncheaper single run", (1.02, 1.01), xycoords="axes fraction", va="bottom",
         fontsize="small", annotation_clip=False,
     )  # fmt: skip
     for limit, of_which, line in zip(CHEAP, ("median", "95 %"), ("-.", "--"), strict=True):
@@ -118,4 +118,4 @@ def _costs(ax: Axes, of: xr.Dataset) -> None:
     ax.set_yticks(range(len(families)), list(map(family_in_words, families)), fontsize="small")
     ax.set_xlim(0.7, max(20.0, 1.5 * float(np.nanmax(ratio, initial=1.0))))
     ax.set_ylim(len(families) - 0.5, -0.5)
-    ax.set_xlabel("work / work of the cheapest setting")
+    ax.set_xlabel("work of all refinements /\nwork of the cheapest single run")

@@ -247,7 +247,7 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
     ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
     if families:
         ax.annotate(
-            "the engine's step", (1.0, -0.5), xytext=(-4, -3), textcoords="offset points",
+            "engine's own time step", (1.0, -0.5), xytext=(-4, -3), textcoords="offset points",
             ha="right", va="top", fontsize="small", color="0.35",
         )  # fmt: skip
     ax.set_xlabel("time step / step that the engine chooses: longer steps →")
@@ -307,4 +307,6 @@ def _bearable(stability: xr.Dataset, families: list[str], methods: list[str]) ->
     others = f" ({tied} tied)" if tied else ""
     names = " and ".join(NAMES.get(methods[k], methods[k]) for k in leading)
     stays = "stays" if len(leading) == 1 else "stay"
-    return f"{names} {stays} accurate at the longest steps in {count} of {len(seen)} families{others}"
+    return (
+        f"{names} {stays} accurate at the longest steps in {count} of {len(seen)} families of cases{others}"
+    )

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from chapters.fem_riser.figures import trends
+from chapters.fem_riser.figures import motion, trends
+from riserstudy.figures.figure_text import headline
 
 NAMES = ("deflection", "stress", "angle", "vibration")
 
@@ -32,3 +33,19 @@ def test_a_ratio_near_a_simple_one_is_a_verb(ratio, word):
 def test_any_other_ratio_keeps_its_number(ratio):
     assert trends._multiplies(ratio) == f"multiplies by {ratio:.2g}"
     assert trends._multiplies(ratio, "ing") == f"multiplying by {ratio:.2g}"
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_waves_are_said_to_stay_near_the_surface_only_where_they_do(seed):
+    """A motion that decays exponentially reaches a twentieth of its surface value at a known depth."""
+    depth, time = np.linspace(0.0, 2000.0, 1001), np.linspace(0.0, 8.0, 33)
+    reach = np.random.default_rng(seed).uniform(*((0.02, 0.09) if seed % 2 else (0.11, 0.9)))
+    moved = np.cos(2.0 * np.pi / 8.0 * time)[:, None] * 20.0 ** (-depth / (reach * depth[-1]))
+    over = {"time": time, "below_surface": depth}
+    names = ("wave_velocity", "wave_acceleration")
+    water = xr.Dataset(dict.fromkeys(names, (("time", "below_surface"), moved)), over)
+    water["water_speed"] = ("below_surface", 1.0 - depth / depth[-1])
+    title = headline(motion.fig03(water))
+    assert ("near the surface only" in title) == (reach < 0.1)
+    if reach > 0.1:
+        assert float(title.split()[-2]) == pytest.approx(reach * depth[-1], abs=2.0 + 0.5)  # grid, rounding

@@ -205,3 +205,13 @@ def test_the_title_of_shares_names_the_periods_at_which_another_motion_leads(see
         assert said == pytest.approx(at, abs=1.0)
     else:
         assert not said
+
+
+@pytest.mark.parametrize("down", [True, False])
+@pytest.mark.parametrize("speed", [15.0, 31.9, 80.0])
+def test_surge_is_said_to_travel_down_only_where_it_begins_later_deeper(down, speed):
+    depth, time = np.linspace(0.0, 533.0, 120), np.arange(0.0, 60.0, 0.25)
+    away = depth if down else depth[-1] - depth
+    pulse = np.exp(-(((time[:, None] - 8.0 - away / speed) / 2.0) ** 2))
+    x = xr.DataArray(pulse, {"time": time, "depth": depth}, ("time", "depth"))
+    assert motion._travels_down(x) == down

@@ -102,10 +102,10 @@ def test_a_papers_own_setting_is_drawn_beside_ours(tmp_path):
     figure = draw("numerics", "long_runs", both)
     assert any("paper" in text.get_text() for text in figure.legends[0].get_texts())
     said = figure.get_suptitle()
-    assert said == "0 of 1 long runs have a setting with an error below 1 %"
+    assert said == "0 of 1 long simulations reach a moment error below 1 %"
     for mesh, words in (
-        ("graded", "Only graded meshes reach a moment error below 1 % in long runs"),
-        ("even", "1 of 1 long runs have a setting with an error below 1 %"),
+        ("graded", "In long simulations, only graded meshes reach a moment error below 1 %"),
+        ("even", "1 of 1 long simulations reach a moment error below 1 %"),
     ):
         good = [row for row, label in enumerate(labels) if label == mesh]
         met = found.copy(deep=True)

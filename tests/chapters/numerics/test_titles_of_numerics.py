@@ -43,9 +43,9 @@ def test_only_graded_meshes_are_named_where_no_uniform_one_is_as_accurate(seed):
     uniform = any(mesh != "graded" and error <= 0.01 for _, mesh, error in rows)
     said = of_long_runs(of)
     if len(accurate) == 3 and not uniform:
-        assert said == "Only graded meshes reach a moment error below 1 % in long runs"
+        assert said == "In long simulations, only graded meshes reach a moment error below 1 %"
     else:
-        assert said == f"{len(accurate)} of 3 long runs have a setting with an error below 1 %"
+        assert said == f"{len(accurate)} of 3 long simulations reach a moment error below 1 %"
 
 
 @pytest.mark.parametrize("seed", range(30))
