@@ -27,10 +27,10 @@ command `riserstudy effects SCENE.yaml` lists the effects (physical mechanisms) 
 of the file that includes each effect.
 
 Write each value with the unit of its source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`. The engine
-converts all values to SI units. The section [Units](#units) lists the unit names. The engine refuses a value
-without a unit if the key of this value requires a unit. The unit of a rotational stiffness must contain
-`/deg` or `/rad`. Elevations increase upwards from one datum, which you can choose freely. Arclengths along
-the riser start at its lower end.
+converts all values of a scene to SI units. The section [Units](#units) lists the unit names. The engine
+refuses a value without a unit if the key of this value requires a unit. The unit of a rotational stiffness
+must contain `/deg` or `/rad`. Elevations increase upwards from one datum, which you can choose freely.
+Arclengths along the riser start at its lower end.
 
 Every value of a scene has an origin, which states where the value comes from. If the scene has the key
 `paper`, a value without a stated origin is *published*: the paper prints it. In a scene without the key
@@ -54,7 +54,7 @@ paper prints. In a scene of this paper, every value without a stated origin must
 
 You can give a table as a CSV file in the folder of the scene file, for example `profile: {file:
 current.csv}`. The first line of the CSV file gives the names of the columns with their units, in any order.
-The following list names the keys that accept a CSV file, each followed by the columns of its file:
+The following list names the keys that accept a CSV file, and the columns of each CSV file:
 
 %s
 
@@ -63,8 +63,9 @@ phase, for example `heave_phase`.
 
 An editor that supports JSON schemas (descriptions of allowed keys and values) can complete and check scene
 files. The command `riserstudy schema` prints the schema,
-[`scene.schema.json`](../workflow/schemas/scene.schema.json). To use the schema, write the following comment
-in the first line of a scene file. The path in the comment is relative to the folder of the scene file.
+[`scene.schema.json`](../workflow/schemas/scene.schema.json). To use the schema `scene.schema.json` in an
+editor, write the following comment in the first line of a scene file. The path of the schema in this comment
+is relative to the folder of the scene file.
 
 ```yaml
 # yaml-language-server: $schema=../../../workflow/schemas/scene.schema.json

@@ -24,7 +24,7 @@ MOST_VALUES = 300_000_000  # largest number of values of a history over all time
 class Layers(Strict):
     """Length of the layer of short segments at each end of the riser.
 
-    A suitable length is sqrt(EI/T), with the bending stiffness EI and the effective tension T.
+    A suitable length of a layer is sqrt(EI/T), with the bending stiffness EI and the effective tension T.
     """
 
     bottom: Annotated[u.Length, POSITIVE] | None = None
@@ -36,8 +36,8 @@ class Mesh(Strict):
 
     The segments of a mesh have equal lengths within each riser section.
 
-    With ``layers``, the number of segments is approximate, and segments become shorter towards a riser end
-    that has a layer.
+    With the key ``layers``, the number of segments of a mesh is approximate, and segments become shorter
+    towards a riser end that has a layer.
     """
 
     elements: Annotated[int, Field(ge=1, le=20000), WHOLE]
@@ -64,10 +64,10 @@ class Newmark(Strict):
 class Output(Strict):
     """Times and places of time histories, by default from the start of the run and at all nodes.
 
-    The key ``interval`` is the time between two stored values. The engine evaluates extremes and limits from
-    the time ``start`` on. The key ``stations`` lists the arclengths at which time histories are stored. The
-    key ``stress_in`` names a section; the time histories then include the largest stress at the outer surface
-    of this section.
+    The key ``interval`` is the time between two stored values of a time history. The engine evaluates
+    extremes and limits from the time ``start`` on. The key ``stations`` lists the arclengths at which time
+    histories are stored. If the key ``stress_in`` names a section of the riser, the time histories include
+    the largest stress at the outer surface of this section.
     """
 
     interval: Annotated[u.Time, POSITIVE]
@@ -91,16 +91,17 @@ class Analysis(Strict):
     ``position`` and the current at its full speed. Without ``duration``, a warning lists the parts of the
     scene that have no effect, such as motions, waves and thrusters. By default, the simulation starts from
     the static equilibrium. With ``start: undeflected``, the simulation starts from the equilibrium without
-    current. With ``start: unstretched``, it starts from the shape of the equilibrium, but with unstretched
-    segments. If mesh and time step are not given, the engine chooses them so that the tolerance ``accuracy``
-    is met. The default tolerance is 0.2 % for displacement, 1 % for moment and tension, and 5 % for fatigue
-    damage. The default method of time integration is generalised-alpha with a spectral radius of 0.8. In a
-    scene with a sudden event (a disconnect, a tension loss without ``over``, or ``failing`` cylinders), the
-    default method is ESDIRK4. The default solver uses lumped masses; ``solver: hermite`` uses beam elements
-    for small slopes. Newton's iteration (the solution of nonlinear equations in each time step) ends when the
+    current. With ``start: unstretched``, the simulation starts from the shape of the static equilibrium, but
+    with unstretched segments. If mesh and time step are not given, the engine chooses a mesh and a time step
+    with which the tolerance ``accuracy`` is met. The default of the tolerance ``accuracy`` is 0.2 % for
+    displacement, 1 % for moment and tension, and 5 % for fatigue damage. The default method of time
+    integration is generalised-alpha with a spectral radius of 0.8. In a scene with a sudden event (a
+    disconnect, a tension loss without ``over``, or ``failing`` cylinders), the default method of time
+    integration is ESDIRK4. The default solver uses lumped masses; ``solver: hermite`` uses beam elements for
+    small slopes. Newton's iteration (the solution of nonlinear equations in each time step) ends when the
     correction of positions is smaller than ``newton_tolerance`` times the length of the riser. The default of
-    ``newton_tolerance`` is 1e-9. A smaller ``newton_tolerance`` also reduces the limit for corrections of
-    moments, by the same factor.
+    ``newton_tolerance`` is 1e-9. A smaller ``newton_tolerance`` reduces the limits for corrections of
+    positions and of moments by one common factor.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None

@@ -29,8 +29,8 @@ class Valve(Strict):
     """Tensioner valves that change a constant ``top.tension`` after the release of the lower end.
 
     After a disconnect, the top tension decreases smoothly to ``hold`` times the suspended submerged weight.
-    The valves of some tensioners can fail to move. The key ``failed`` is the fraction of the tension that
-    therefore remains constant.
+    The key ``failed`` is the fraction of the top tension that remains constant, because the valves of some
+    tensioners fail to move.
     """
 
     hold: Annotated[float, Field(gt=0.0)]
@@ -48,11 +48,11 @@ class Isolation(Strict):
 class RecoilValve(Strict):
     """A recoil valve in the oil between each cylinder and its gas, which closes after a disconnect.
 
-    The key ``opening`` is the area of the open valve. The open valve throttles the oil even before the
-    disconnect. The key ``discharge`` is the discharge coefficient. At the time ``delay`` after the
-    disconnect, by default 0 s, the valve starts to close. Within the time ``over``, the valve closes smoothly
-    to the fraction ``residual`` of its opening. The key ``failed`` lists the cylinders (numbered from 0)
-    whose valves stay open. Without ``isolation``, no gas bottles are shut off.
+    The key ``opening`` is the area of the open recoil valve. The open recoil valve throttles the oil even
+    before the disconnect. The key ``discharge`` is the discharge coefficient of the recoil valve. At the time
+    ``delay`` after the disconnect, by default 0 s, the valve starts to close. Within the time ``over``, the
+    valve closes smoothly to the fraction ``residual`` of its opening. The key ``failed`` lists the cylinders
+    (numbered from 0) whose valves stay open. Without ``isolation``, no gas bottles are shut off.
     """
 
     oil_density: Annotated[u.Density, POSITIVE]
@@ -68,8 +68,9 @@ class RecoilValve(Strict):
 class Drain(Strict):
     """Contents that drain after a disconnect, as one column between the air above and the sea below.
 
-    The key ``friction`` is the Darcy friction factor of the riser wall. The key ``losses``, by default zero,
-    is the pressure loss at the ends of the column, divided by the velocity head.
+    The key ``friction`` is the Darcy friction factor of the riser wall for draining contents. The key
+    ``losses``, by default zero, is the pressure loss at the ends of the draining column, divided by the
+    velocity head.
     """
 
     friction: Annotated[float, NOT_NEGATIVE]
@@ -86,14 +87,15 @@ class Disconnect(Strict):
     """Release of the riser's lower end, with the body at this end, from the wellhead during the run.
 
     The key ``at`` is the time of the disconnect. With the key ``phase``, the disconnect is delayed until the
-    platform's heave has this phase. The phase of the heave is 0 when the heave rises through its mean, and 90
-    deg at its maximum. With ``phase``, the heave must be a single harmonic. The key ``over`` is the time over
-    which the force of the connector decreases to zero. By default, the disconnect is sudden. A sudden
-    disconnect of an undamped riser causes tension waves with steep fronts along the riser. A constant top
-    tension remains unchanged after the disconnect, unless ``valve`` is given. The tensioners act as before
-    the disconnect, unless ``recoil_valve`` is given. By default, the contents stay in the riser. With
-    ``drain``, the contents flow out. Without ``stack``, the lower marine riser package (LMRP) can move
-    through the blow-out preventer (BOP) stack without contact; a warning then appears.
+    platform's heave has the given phase. The phase of the heave is 0 when the heave rises through its mean,
+    and 90 deg at its maximum. In a scene with the key ``phase`` of the disconnect, the heave must be a single
+    harmonic. The key ``over`` is the time over which the force of the connector decreases to zero. By
+    default, the disconnect is sudden. A sudden disconnect of an undamped riser causes tension waves with
+    steep fronts along the riser. A constant top tension remains unchanged after the disconnect, unless
+    ``valve`` is given. The tensioners act as before the disconnect, unless ``recoil_valve`` is given. By
+    default, the contents stay in the riser after a disconnect. With the key ``drain``, the contents flow out
+    of the riser after a disconnect. Without ``stack``, the lower marine riser package (LMRP) can move through
+    the blow-out preventer (BOP) stack without contact; if this happens, a warning appears.
     """
 
     at: Annotated[u.Time, POSITIVE]

@@ -40,17 +40,17 @@ class Body(Strict):
     Give the submerged weight of the body, or give its displaced volume or the density of its material. From
     the volume or the density, the engine computes the submerged weight with the mass and gravity. If the end
     of the unstretched riser with the body is at or above the water surface, the computed weight of the body
-    is its weight in air. Weight, drag and added mass of the body are zero if they are not given. In waves,
-    the accelerating water exerts a force on the body, in proportion to the sum of the mass of displaced water
-    and the added mass. If the displaced volume of the body is not given, the engine computes it from mass and
-    ``submerged_weight``. Without ``centre_below``, the body is a point at the riser's end. The key
-    ``centre_below`` is the distance from the riser's lower end down to the centre of the body. With
-    ``centre_below``, the body turns rigidly with the riser's lower end. The key ``rotary_inertia``, by
-    default zero, is the moment of inertia about axes through the body's centre that are perpendicular to the
-    riser. With ``centre_below``, the engine represents the body by two point masses: one at the riser's lower
-    end, and one below the riser, at the body's centre of percussion. With ``centre_below``, the arclengths in
-    results start at this centre of percussion. The arclengths of ``stations`` in ``analysis.output`` still
-    start at the riser's lower end.
+    is its weight in air. The weight, the drag and the added mass of a body are zero if they are not given. In
+    waves, the accelerating water exerts a force on the body, in proportion to the sum of the mass of
+    displaced water and the added mass. If the displaced volume of the body is not given, the engine computes
+    the volume from the mass and the ``submerged_weight`` of the body. Without ``centre_below``, the body is a
+    point at the riser's end. The key ``centre_below`` is the distance from the riser's lower end down to the
+    centre of the body. With ``centre_below``, the body turns rigidly with the riser's lower end. The key
+    ``rotary_inertia``, by default zero, is the moment of inertia about axes through the body's centre that
+    are perpendicular to the riser. With ``centre_below``, the engine represents the body by two point masses:
+    one at the riser's lower end, and one below the riser, at the body's centre of percussion. With
+    ``centre_below``, the arclengths in results start at the body's centre of percussion. The arclengths of
+    ``stations`` in ``analysis.output`` still start at the riser's lower end.
     """
 
     name: str
@@ -155,11 +155,11 @@ class Bottom(Strict):
 class JointStop(Strict):
     """Stops of a telescopic joint: its largest extension and compression, and the stiffness of the stops.
 
-    Extension and compression are measured from the same position as the stroke of the joint. The key
-    ``stroke`` is the largest extension. The key ``collapse`` is the largest compression, at which the two
-    barrels touch and push against each other. The stop in extension exists only with the key ``stroke``,
-    and the stop in compression only with the key ``collapse``. The stops of the joint are elastic, without
-    energy loss.
+    The extension and the compression of the telescopic joint are measured from the position in which the
+    stroke of the joint is zero. The key ``stroke`` is the largest extension of the telescopic joint. The key
+    ``collapse`` is the largest compression, at which the two barrels touch and push against each other. The
+    telescopic joint has a stop in extension only with the key ``stroke``, and a stop in compression only with
+    the key ``collapse``. The stops of the joint are elastic, without energy loss.
     """
 
     stroke: Annotated[u.Length, POSITIVE] | None = None
@@ -182,16 +182,17 @@ class TelescopicJoint(Strict):
 
     The engine neglects forces of the water on the telescopic joint. A warning appears if more than half of
     the joint is below the water surface. The key ``length`` is the distance from the tension ring to the
-    upper end of the joint with the platform at rest. The outer and the inner barrel bend together, as one
-    beam. The key ``tension`` is an additional constant pull of tensioners along the joint. Without the key
-    ``stop``, the joint has no end stops. Without stops, a warning appears if the joint becomes shorter than
-    half of ``length`` or longer than twice ``length``. Include the mass of the outer barrel in ``top.body``
-    at the tension ring; the inner barrel moves with the platform. The stops of the joint (``stop``) and the
-    stops of the tensioners (``tensioners.stroke``) are separate, and a scene can have both.
+    upper end of the telescopic joint with the platform at rest. Its outer and inner barrel bend together, as
+    one beam. The key ``tension`` is an additional constant pull of tensioners along the joint. Without the
+    key ``stop``, the telescopic joint has no end stops. Without stops, a warning appears if the telescopic
+    joint becomes shorter than half of ``length`` or longer than twice ``length``. Include the mass of the
+    outer barrel in ``top.body`` at the tension ring; the inner barrel moves with the platform. The stops of
+    the joint (``stop``) and the stops of the tensioners (``tensioners.stroke``) are separate, and a scene can
+    have both.
 
-    By default, the stroke of the joint and the positions of its stops are measured from ``length``. With
-    ``mid_stroke: riser in equilibrium``, the stroke is zero when the tensioners carry the vertical riser in
-    still water.
+    By default, the stroke of the telescopic joint and the positions of its stops are measured from
+    ``length``. With ``mid_stroke: riser in equilibrium``, the stroke of the telescopic joint is zero when the
+    tensioners carry the vertical riser in still water.
     """
 
     length: Annotated[u.Length, POSITIVE]
@@ -235,22 +236,22 @@ class Top(Strict):
     The keys ``x`` (for x and y) and ``z`` state whether the riser's top follows the platform, is held, or is
     free.
 
-    With ``x: vessel``, the top follows the computed motion of a vessel along x, and along y if the vessel has
-    the key ``sway``. If the scene also has the key ``platform``, the engine adds the horizontal first-order
-    (wave-frequency) motions of the platform to the motion of the vessel. With ``z: platform``, the top also
-    follows the vertical first-order motions. At rest, the centre of the tensioner deck is vertically above
-    the riser's top, so the key ``offset`` moves both.
+    With ``x: vessel``, the riser's top follows the computed motion of a vessel along x, and along y if the
+    vessel has the key ``sway``. If the scene also has the key ``platform``, the engine adds the horizontal
+    first-order (wave-frequency) motions of the platform to the motion of the vessel. With ``z: platform``,
+    the riser's top also follows the vertical first-order motions of the platform. At rest, the centre of the
+    tensioner deck is vertically above the riser's top, so the key ``offset`` moves both the deck and the top.
 
-    Without ``offset``, the top is vertically above the riser's bottom. Without ``elevation``, the engine
-    computes the height of the top in static equilibrium. Tension, tension loss, lateral force, tensioners and
-    body are absent if they are not given. With ``held_at_tension``, the engine holds the top at the height at
-    which the vertical component of the pull on the static riser equals the given force. If there is a body at
-    the top, the pull just below the body equals the given force of ``held_at_tension``. The height for
-    ``held_at_tension`` is computed with the platform in its position in calm water, and with the current at
-    its full speed. With ``x: platform``, or with ``x: vessel`` and a ``platform`` in the scene, a flex joint
-    or clamp (``rotation: fixed``) at the top rotates with the platform. With a telescopic joint, the top is
-    the upper end of the joint, and ``tension``, ``tensioners``, ``lateral_force`` and ``body`` are at the
-    tension ring, below the joint.
+    Without ``offset``, the riser's top is vertically above the riser's bottom. Without ``elevation``, the
+    engine computes the height of the riser's top in static equilibrium. A tension, a tension loss, a lateral
+    force, tensioners and a body are absent at the riser's top if they are not given. With
+    ``held_at_tension``, the engine holds the riser's top at the height at which the vertical component of the
+    pull on the static riser equals the given force. If there is a body at the top, the pull just below the
+    body equals the given force of ``held_at_tension``. The height for ``held_at_tension`` is computed with
+    the platform in its position in calm water, and with the current at its full speed. With ``x: platform``,
+    or with ``x: vessel`` and a ``platform`` in the scene, a flex joint or clamp (``rotation: fixed``) at the
+    top rotates with the platform. With a telescopic joint, the riser's top is the upper end of this joint,
+    and ``tension``, ``tensioners``, ``lateral_force`` and ``body`` are at the tension ring, below the joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

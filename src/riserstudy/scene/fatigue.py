@@ -78,9 +78,10 @@ class OwnCurve(Strict):
 class StandardCurve(Strict):
     """An S-N curve of DNV-RP-C203, selected by its class (B1 to W3) and its environment.
 
-    The file ``scene/sn_curves.yaml`` of the package contains the numbers and their source. Editions of
-    DNV-RP-C203 differ, so compare the curves with the edition that you must use. If the curves differ from
-    your edition, give your own curve (``OwnCurve``).
+    The file ``scene/sn_curves.yaml`` of the package contains the numbers of the S-N curves and their source.
+    Editions of DNV-RP-C203 differ, so compare the curves of riserstudy with the edition of DNV-RP-C203 that
+    you must use. If the S-N curves of riserstudy differ from your edition of DNV-RP-C203, give your own curve
+    (``OwnCurve``).
     """
 
     detail_class: str
@@ -110,16 +111,16 @@ class StandardCurve(Strict):
 class Detail(Strict):
     """A detail whose fatigue damage is computed: welds of the wall, a connector, a weld of the wellhead.
 
-    The key ``at`` gives the sections of the riser with this detail, in the same form as the key ``at`` in
-    ``limits``. By default, all sections have the detail. The key ``face`` selects the inner or outer face of
-    the wall. The engine computes the stress due to wall tension and bending at the selected face. For a
-    detail at one end of a section, give ``stress_per_moment`` instead of ``face``. The key
+    The key ``at`` gives the sections of the riser with a fatigue detail, in the same form as the key ``at``
+    in ``limits``. By default, all sections have the fatigue detail. The key ``face`` selects the inner or
+    outer face of the wall. The engine computes the stress due to wall tension and bending at the selected
+    face. For a detail at one end of a section, give ``stress_per_moment`` instead of ``face``. The key
     ``stress_per_moment`` is the stress in the detail divided by the bending moment at this end of the
     section. For example, ``stress_per_moment: 0.02 MPa/kN/m`` means 0.02 MPa for each kN m. With
     ``stress_per_moment``, the stress due to tension is neglected. The engine multiplies the computed nominal
-    stress by ``stress_concentration``. The default of ``thickness`` is the wall thickness of the section;
-    with ``stress_per_moment``, you must give ``thickness``. The factored damage is the damage times
-    ``safety_factor``.
+    stress of a detail by ``stress_concentration``. The default of the key ``thickness`` of a detail is the
+    wall thickness of the section; with ``stress_per_moment``, you must give ``thickness``. The factored
+    damage of a detail is the damage times ``safety_factor``.
     """
 
     name: Annotated[str, Field(min_length=1)]
@@ -153,10 +154,10 @@ class Detail(Strict):
 class Fatigue(Strict):
     """Fatigue damage of details, from stress cycles (rainflow counting), S-N curves and Miner's sum.
 
-    The key ``angles`` is the number of places around the wall for which the engine computes damage. The
-    first of these places is on the side of the positive x axis. Between two neighbouring places, the damage
-    can be larger than at both places. The ratio is at most cos(pi / angles)^-m, with the exponent m of the
-    S-N curve.
+    The key ``angles`` is the number of places around the wall for which the engine computes damage. The first
+    of the places around the wall is on the side of the positive x axis. Between two neighbouring places
+    around the wall, the damage can be larger than at both places, by a factor of at most cos(pi / angles)^-m.
+    The exponent m in this factor is the exponent of the S-N curve.
     """
 
     angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]

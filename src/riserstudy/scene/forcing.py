@@ -58,8 +58,8 @@ class Tilt(Harmonic):
 class Cruise(Strict):
     """Cruise of the platform at a constant speed, by default along x.
 
-    Over the time ``ramp``, the speed increases linearly from zero to ``speed``. Without ``ramp``, the
-    platform has its full speed from the start.
+    Over the time ``ramp``, the speed of a cruise increases linearly from zero to ``speed``. Without ``ramp``,
+    the platform has its full speed from the start.
     """
 
     speed: u.Speed
@@ -102,10 +102,10 @@ P = TypeVar("P", bound=Instant)
 class TimeSeries(Strict, Generic[P]):
     """A platform motion as a cubic spline through points, listed here or in a CSV table ``{file: name.csv}``.
 
-    Before the first point, the platform has the value of the first point, and after the last point the value
-    of the last point. If one interval between points is much longer than its neighbours, the spline can
-    exceed the values of all points. The engine refuses a spline that exceeds all points by more than half of
-    their range. If all values of a sway, roll or yaw are zero, no simulation in three dimensions is required.
+    Before the first and after the last point of a time series, the position of the platform is constant. If
+    one interval between points is much longer than its neighbours, the spline can exceed all points. The
+    engine refuses a spline that exceeds all points by more than half of the range of their values. If all
+    values of a sway, roll or yaw are zero, no simulation in three dimensions is required.
     """
 
     points: Annotated[list[P], Field(min_length=4)]
@@ -133,9 +133,9 @@ class Position(Strict):
 class Centre(Strict):
     """Position of the platform's centre of rotation with the platform at rest.
 
-    Without ``x`` and ``y``, the centre of rotation is vertically above the well, even if the riser's top
-    has an ``offset``. Therefore, if the platform has an offset, usually set ``x`` to this offset. The key
-    ``position`` of the platform also moves the centre.
+    Without ``x`` and ``y``, the centre of rotation is vertically above the well, even if the riser's top has
+    an ``offset``. If the top has an ``offset``, usually set ``x`` to this offset. The key ``position`` also
+    moves the centre.
     """
 
     x: u.Length | None = None
@@ -152,8 +152,8 @@ Turn = Tilt | Annotated[list[Tilt], Field(min_length=1)] | TimeSeries[Tilted]
 class Platform(Strict):
     """Prescribed platform motion: harmonic, a sum of harmonics, or a time series.
 
-    A motion that is not given is zero. By default, a harmonic motion has the phase 0 and no ramp. Roll is a
-    rotation about x, pitch about y, and yaw about z. With a positive pitch, the platform's vertical axis
+    A platform motion that is not given is zero. By default, a harmonic motion has phase 0 and no ramp. Roll
+    is a rotation about x, pitch about y, and yaw about z. With a positive pitch, the platform's vertical axis
     leans towards +x.
 
     In a scene with a ``vessel``, the motions of the ``platform`` are the first-order (wave-frequency) motions
@@ -223,10 +223,10 @@ TURN = math.tau * (1.0 + 1e-9)  # rad, a full turn with room for rounding
 class Point(Strict):
     """One point of a current profile, at an elevation, or at a depth below the mean water level.
 
-    Two points at the same elevation or depth define a jump of the speed. Points given by elevation are listed
-    upwards: the first of the two points gives the speed just below the jump. Points given by depth are listed
-    downwards: the first of the two points gives the speed just above the jump. Without ``direction``, a point
-    has the heading of the current.
+    Two points of a current profile at the same elevation or depth define a jump of the speed. Points by
+    elevation are listed upwards: the first of two equal elevations gives the speed below the jump. Points by
+    depth are listed downwards: the first of two equal depths gives the speed above the jump. Points without
+    ``direction`` have the heading of the current.
     """
 
     elevation: u.Length | None = None
@@ -256,8 +256,8 @@ class Shape(Strict):
     The relative speed is the speed divided by ``surface_speed``. With ``shape: power``, the relative speed is
     (height above the seabed / water depth)^power. With ``shape: exponential``, the relative speed is
     exp(-depth below the surface / scale). With ``shape: layer``, the speed is uniform down to the depth
-    ``layer`` below the surface, then decreases linearly to zero at the depth ``vanishes``. By default, seabed
-    and surface have the elevations that ``water`` gives.
+    ``layer`` below the surface, then decreases linearly to zero at the depth ``vanishes``. By default, the
+    key ``water`` gives the elevations of seabed and surface.
     """
 
     shape: Literal["uniform", "power", "exponential", "layer"]
@@ -298,14 +298,14 @@ class Combined(Strict):
 class Current(Strict):
     """Steady current in the sea.
 
-    By default, the current flows along x, and acts from the start of the run without a ramp.
-
-    The key ``headings`` states whether headings are directions that the current flows to (``towards``, the
-    default) or comes from (``from``). The key ``headings`` also applies to the ``direction`` of points of the
-    profile. Give a ``direction`` at all points of the profile, or at no point. If the direction varies, the
-    engine interpolates the x and y components of the velocity linearly between points. The key ``beyond`` is
-    required if the profile does not cover the whole riser. Outside the elevations of the profile, the current
-    has the speed at the nearest end of the profile (``hold``), or the water is still (``zero``).
+    By default, the current flows along x, and acts from the start of the run without a ramp. The key
+    ``headings`` states whether the headings of a current are directions that the current flows to
+    (``towards``, the default) or comes from (``from``). The key ``headings`` also applies to the
+    ``direction`` of points of the profile. Give a ``direction`` at all points of a current profile, or at no
+    point. If the direction of the current varies with depth, the engine interpolates the x and y components
+    of the velocity linearly between points. The key ``beyond`` of a current is required if the profile does
+    not cover the riser. Outside the profile, the current has the speed of the nearest point of the profile
+    (``hold``) or no speed (``zero``).
     """
 
     profile: Annotated[list[Point], Field(min_length=2)] | Shape | WindDrift | Combined

@@ -40,31 +40,31 @@ class Limit(Strict):
     """Limit on one output: the largest or smallest allowed value, or the largest allowed mean over time.
 
     The key ``output`` can name an output along the riser (``effective_tension``, ``bending_moment``,
-    ``shear_force``, ``von_mises_stress``, ``x`` or ``y``). Other possible outputs are
+    ``shear_force``, ``von_mises_stress``, ``x`` or ``y``). Other outputs that can have a limit are
     ``lower_end_tension``, ``ufj_angle``, ``lfj_angle``, ``stroke``, ``joint_stroke``, ``tensioner_stroke``,
-    ``tensioner_force`` and ``largest_stress``. In a scene with a disconnect, ``overpull`` and
-    ``lmrp_clearance`` are also possible. The page on variables of datasets explains the outputs. The output
-    ``largest_stress`` neglects the pressures of contents and sea; ``von_mises_stress`` includes these
-    pressures. A stress range cannot have a limit; use ``fatigue`` instead. The clearance of the riser in a
-    moonpool (an opening through the hull) cannot have a limit either.
+    ``tensioner_force`` and ``largest_stress``. In a scene with a disconnect, the outputs ``overpull`` and
+    ``lmrp_clearance`` can also have a limit. The page on variables of datasets explains the outputs. The
+    output ``largest_stress`` neglects the pressures of contents and sea; ``von_mises_stress`` includes these
+    pressures. A stress range cannot have a limit; the key ``fatigue`` checks stress ranges. The clearance of
+    the riser in a moonpool (an opening through the hull) cannot have a limit either.
 
-    The key ``mode`` states in which operation the limit must be met. A limit of the mode ``drilling`` applies
+    The key ``mode`` states in which operation a limit must be met. A limit of the mode ``drilling`` applies
     only while drilling. A limit of the mode ``connected`` applies as long as the riser is connected, with or
     without drilling. A limit of the mode ``disconnect`` must always be met; the riser must disconnect before
     this limit is exceeded.
 
     For moments, shear forces, angles, x and y, the sign is a convention, so the limit applies to the
     magnitude. A limit on a magnitude cannot have the key ``smallest`` or a negative allowed value. The key
-    ``at`` gives the place: a section (its name), or an end of a section (``lower end of`` or ``upper end
-    of``, followed by the name). For a group of consecutive sections, give the names of the lowest and the
-    highest section (``[lowest, highest]``). By default, a limit applies to the whole riser. For tension and
-    stress, the whole riser does not include the stack and the conductor below the flex joint. A disconnect in
-    a run ends the operations of the modes ``drilling`` and ``connected``, so their limits apply until the
-    disconnect, except limits on ``overpull`` and ``lmrp_clearance``. A limit of the mode ``disconnect``
-    includes the time after the disconnect. A disconnect opens the lower flex joint, so a limit on the angle
-    of this joint applies only until the disconnect, whatever its mode. A smallest allowed
-    ``tensioner_force`` does not apply to cylinders that have failed. The allowable value can have an origin,
-    like any other value of a scene.
+    ``at`` gives the place where a limit applies: a section (its name), or an end of a section (``lower end
+    of`` or ``upper end of``, followed by the name). For a group of consecutive sections, give the names of
+    the lowest and the highest section (``[lowest, highest]``). By default, a limit applies to the whole
+    riser. By default, limits on tension and stress do not apply to the stack and the conductor below the flex
+    joint. A disconnect in a run ends the operations of the modes ``drilling`` and ``connected``, so their
+    limits apply until the disconnect, except limits on ``overpull`` and ``lmrp_clearance``. A limit of the
+    mode ``disconnect`` includes the time after the disconnect. A disconnect opens the lower flex joint, so a
+    limit of any mode on the lower flex joint angle applies only until the disconnect. A smallest allowed
+    ``tensioner_force`` does not apply to cylinders that have failed. The allowable value of a limit can have
+    an origin, like any other value of a scene.
     """
 
     output: str

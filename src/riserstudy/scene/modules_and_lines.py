@@ -19,11 +19,11 @@ from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE
 class Modules(Strict):
     """Buoyancy modules of one riser joint.
 
-    Mass and lift are values for one joint of the section. In a section without ``joints``, mass and lift are
-    values for the whole section.
+    Mass and lift of buoyancy modules are values for one joint of the section. In a section without
+    ``joints``, mass and lift of the modules are values for the whole section.
 
-    The key ``lift`` is the net lift of the modules in water, after subtraction of their own weight. For
-    modules above the water, the engine computes the weight as mass times gravity.
+    The key ``lift`` is the lift of the modules in water, minus the weight of the modules. For modules above
+    the water, the engine computes the weight as mass times gravity.
     """
 
     mass: Annotated[u.Mass, POSITIVE]
@@ -33,13 +33,13 @@ class Modules(Strict):
 class Line(Strict):
     """One or several equal small pipes along the riser pipe, such as choke, kill, booster or hydraulic lines.
 
-    The key ``count`` is the number of lines, by default 1. Give the mass of one line, or ``wall_density``,
-    from which the engine computes the mass. The key ``contents`` is the density of the fluid inside the line,
-    which moves with the line; without this key, the line is empty. Lines with a ``young_modulus`` bend
-    together with the pipe, each about its own axis. With ``tension: shared``, pipe and lines share the
-    tension in proportion to their axial stiffnesses. With ``tension: sliding``, the ends of the lines slide
-    along the pipe, and the lines carry no tension. In reality, the pressure in a line changes the tension of
-    the pipe; the engine neglects this change.
+    The key ``count`` of a line is the number of equal lines, by default 1. Give the mass of one line, or
+    ``wall_density``, from which the engine computes the mass. The key ``contents`` is the density of the
+    fluid inside the line, which moves with the line; without the key ``contents``, the line is empty. Lines
+    with a ``young_modulus`` bend together with the pipe, each about its own axis. With ``tension: shared``,
+    pipe and lines share the tension in proportion to their axial stiffnesses. With ``tension: sliding``, the
+    ends of the lines slide along the pipe, and the lines carry no tension. In reality, the pressure in a line
+    changes the tension of the pipe; the engine neglects this change.
     """
 
     name: str

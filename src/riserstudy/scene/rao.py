@@ -25,8 +25,8 @@ Tilt = Annotated[u.AnglePerLength, NOT_NEGATIVE] | None
 class Operator(Strict):
     """Response of the platform to waves of one period or frequency: motion per wave amplitude, and phase.
 
-    Frequencies are in Hz or rad/s. A motion that is not given is zero. The heading is the direction of the
-    waves, measured from x towards y. Without headings, the response is the same for waves from all
+    The frequencies of RAOs are in Hz or rad/s. A platform motion without RAOs is zero. The heading of an RAO
+    is the direction of the waves, measured from x towards y. RAOs without headings apply to waves from all
     directions.
     """
 
@@ -105,22 +105,24 @@ class Response(Strict):
 
     To give a CSV table of RAOs, write ``operators: {file: name.csv}``. The key ``phases`` states whether the
     phases of the RAOs are leads or lags, relative to a wave crest at the platform. The surface elevation at
-    the platform is A cos(w t - p), with the wave amplitude A, the angular frequency w and the phase p. If the
-    key ``wave`` of ``response`` gives the wave, p is the phase of this wave. If the key ``wave`` of the scene
-    gives the wave, p is the phase of this wave plus k x, with the wave number k. In the phase k x, x is the
-    platform's position in the direction of the wave, including its offset at rest and the distance covered by
-    a cruise. The key ``headings`` states whether the headings of RAOs are directions that waves travel to
-    (``towards``) or come from (``from``). Between headings, RAOs are interpolated linearly. The rows of the
-    table can be in any order. With ``symmetry``, the engine mirrors the RAOs at a given heading to obtain the
-    RAOs at a missing heading. With ``symmetry: sides``, the RAOs are mirrored in the x-z plane. With
-    ``symmetry: sides and ends``, the RAOs are also mirrored in the y-z plane. The key ``beyond`` defines the
-    response to waves with periods outside the range of the RAOs. With ``hold``, the engine uses the RAOs at
-    the nearest end of the range; with ``zero``, the platform does not respond to waves outside the range. By
-    default (``refuse``), the engine refuses waves outside the range. A warning states the share of the wave
-    energy at periods outside the range. By default, the platform responds to the wave of the scene, without a
-    ramp, in all motions for which the table gives RAOs. A wave that is given in ``response`` travels along x
-    by default. A motion whose RAOs are zero in waves of this direction is no motion: with a table of all six
-    motions, a riser in head seas can still be computed in a plane.
+    the platform is A cos(w t - p), with the wave amplitude A, the angular frequency w and the phase p. In the
+    surface elevation at the platform, p is the phase of the wave that the key ``wave`` of ``response`` gives.
+    If the key ``wave`` of the scene gives the wave, p is the phase of this wave plus k x, with the wave
+    number k. In the phase k x, x is the platform's position in the direction of the wave, including its
+    offset at rest and the distance covered by a cruise. The key ``headings`` states whether the headings of
+    RAOs are directions that waves travel to (``towards``) or come from (``from``). Between headings, RAOs are
+    interpolated linearly. The rows of a table of RAOs can be in any order. With ``symmetry``, the engine
+    mirrors the RAOs at a given heading to obtain the RAOs at a missing heading. With ``symmetry: sides``, the
+    RAOs are mirrored in the x-z plane. With ``symmetry: sides and ends``, the RAOs are also mirrored in the
+    y-z plane. The key ``beyond`` defines the response of the platform to waves with periods outside the range
+    of the RAOs. With ``beyond: hold``, the engine uses the RAOs at the nearest end of the range of periods.
+    With ``beyond: zero``, the platform does not respond to waves outside this range. By default (``beyond:
+    refuse``), the engine refuses waves with periods outside the range of the RAOs. A warning states the share
+    of the wave energy outside the range of the RAOs. By default, the platform responds to the wave of the
+    scene, without a ramp, in all motions for which RAOs are given. A wave that is given in ``response``
+    travels along x by default. If the RAOs of a motion are zero for the direction of the waves, the platform
+    does not move in this motion. With a table of all six motions, a riser in head seas can therefore be
+    computed in a plane.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]

@@ -33,8 +33,8 @@ class Drag(Strict):
 
     With ``direction: horizontal``, only horizontal velocities cause drag, and the drag acts in x and y only.
     The drag coefficient is one number, or a table over elevation with linear interpolation. The engine
-    evaluates the table at the present elevation of the moving, stretched pipe. Above and below the elevations
-    of the table, the coefficient has the value at the nearest end of the table.
+    evaluates the table of drag coefficients at the present elevation of the moving, stretched pipe. Above and
+    below the elevations of the table, the drag coefficient has the value at the nearest end of the table.
     """
 
     coefficient: Coefficient | Annotated[list[CoefficientAt], Field(min_length=2)]
@@ -72,8 +72,8 @@ class Drag(Strict):
 class TangentialDrag(Strict):
     """Drag along the pipe: C_t rho pi D / 2 times the squared relative velocity along the pipe.
 
-    In the formula of the drag, C_t is the key ``coefficient``, rho the density of the water, and D the key
-    ``diameter``.
+    In the formula of the tangential drag, C_t is the key ``coefficient``, rho the density of the water, and D
+    the key ``diameter``.
     """
 
     coefficient: Coefficient
@@ -106,12 +106,12 @@ def _must_rise(frequencies: list[float]) -> None:
 class InLineExcitation(Strict):
     """Varying drag due to vortices, which synchronises with the velocity of the riser along the flow.
 
-    The amplitude of the varying drag per length is C_x rho D / 2 times the squared flow speed. In this
-    formula, C_x is the key ``coefficient``, rho the density of the water, and D the diameter. The value of
-    C_x is not known; values of 0.1 to 1 are plausible assumptions. The key ``frequencies`` lists the lowest,
-    the in-phase and the highest frequency of the varying drag, as multiples of flow speed divided by
-    diameter. Frequencies along the flow are about twice the frequencies across the flow. The values 0.22,
-    0.36 and 0.52 of ``frequencies`` are assumptions, each with a range of ±25 %.
+    The amplitude of the varying drag per length is C_x rho D / 2 times the squared flow speed. In the formula
+    of the varying drag, C_x is the key ``coefficient``, rho the density of the water, and D the diameter. The
+    value of C_x is unknown; values of 0.1 to 1 are plausible. The key ``frequencies`` lists the lowest, the
+    in-phase and the highest frequency of the varying drag, as multiples of flow speed divided by diameter.
+    Frequencies along the flow are about twice the frequencies across the flow. The values 0.22, 0.36 and 0.52
+    of ``frequencies`` are assumptions, each ±25 %.
     """
 
     coefficient: Annotated[float, POSITIVE]
@@ -127,20 +127,20 @@ class VortexInducedVibration(Strict):
     """Vortex-induced vibration across the flow, by the synchronisation model of Thorsen and others (2014).
 
     The vortices exert a lift force on the pipe, across the flow (the velocity of the water relative to the
-    pipe). The amplitude of the lift force per length is C_v rho D U^2 / 2. Here, U is the flow speed, rho
-    is the density of the water, and D is the diameter. The phase of the lift force synchronises with the
-    velocity of the riser. A section with ``viv`` must also have drag across the pipe, because drag limits
-    the amplitude of the vibration. The engine simulates a scene with ``viv`` in three dimensions.
+    pipe). The amplitude of the lift force per length is C_v rho D U^2 / 2, with the flow speed U, the density
+    rho of the water, and the diameter D. The phase of the lift force synchronises with the velocity of the
+    riser. A section with ``viv`` must also have drag across the pipe, because drag limits the amplitude of
+    the vibration. The engine simulates a scene with ``viv`` in three dimensions.
 
-    The key ``coefficient`` is C_v; its published value is 1.2. The key ``frequencies`` lists the lowest, the
-    in-phase and the highest frequency of the lift force, as multiples of flow speed divided by diameter. At
-    the in-phase frequency, the lift force and the velocity of the riser are in phase. The published values of
-    ``frequencies`` are 0.11, 0.18 and 0.26. The engine computes running mean squares of the motion, over the
-    time in which the water flows a distance of ``memory`` diameters, for example 20. The key ``seed``
-    determines the initial phases of the lift force, which vary smoothly along the riser. The key ``ramp`` is
-    the time over which the lift force increases from zero to its full amplitude. The default of ``ramp`` is
-    ten periods of vortex shedding in the fastest current. The key ``in_line`` adds an excitation along the
-    flow; without this key, vortices cause no excitation along the flow.
+    The key ``coefficient`` is the coefficient C_v; the published value of C_v is 1.2. The key ``frequencies``
+    lists the lowest, the in-phase and the highest frequency of the lift force, as multiples of flow speed
+    divided by diameter. At the in-phase frequency, lift force and riser velocity are in phase. The published
+    values of ``frequencies`` are 0.11, 0.18 and 0.26. The engine computes running mean squares of the motion,
+    over the time in which the water flows a distance of ``memory`` diameters, for example 20. The key
+    ``seed`` determines the initial phases of the lift force, which vary smoothly along the riser. The key
+    ``ramp`` is the time over which the lift force increases from zero to its full amplitude. The default of
+    ``ramp`` is ten periods of vortex shedding in the fastest current. The key ``in_line`` adds an excitation
+    along the flow; without ``in_line``, vortices cause no excitation along the flow.
     """
 
     model: Literal["synchronisation"]
@@ -166,15 +166,13 @@ class VortexInducedVibration(Strict):
 class Contents(Strict):
     """Fluid inside the riser. The engine adds the weight of the riser's contents to ``submerged_weight``.
 
-    If the pipe moves across its axis, the contents move with it. If the pipe moves along its axis, the
-    contents do not move with it.
-
-    If the inside of the riser is open to the sea, give sea water as contents, or include the weight of this
-    water in ``submerged_weight``. The contents reach up to the elevation ``level``, by default to the upper
-    end of the highest section with contents. The gauge pressure of the contents on the wall is the static
-    pressure of the column of contents up to ``level``. If a section without contents lies between sections
-    with contents, the pressure in the sections below the gap is unknown. For sections with unknown
-    pressure, the von Mises stress is not computed.
+    If the pipe moves across its axis, the contents move with the pipe. If the pipe moves along its axis, the
+    contents do not move with the pipe. If the inside of the riser is open to the sea, give sea water as
+    contents, or include the weight of sea water inside the riser in ``submerged_weight``. The contents reach
+    up to the elevation ``level``, by default to the upper end of the highest section with contents. The gauge
+    pressure of the contents on the wall is the static pressure of the column of contents up to ``level``. If
+    a section without contents lies between sections with contents, the pressure in the sections below the gap
+    is unknown. For sections with unknown pressure, the von Mises stress is not computed.
     """
 
     density: Annotated[u.Density, POSITIVE]
@@ -215,38 +213,39 @@ class Section(Strict):
     """A length of riser with uniform properties. The sections of a riser are listed from the bottom up.
 
     Give the axial and the bending stiffness, or give Young's modulus and the diameters, from which the engine
-    computes both stiffnesses. A section without bending stiffness is a string: it carries no bending moment.
-    Give the mass, or ``wall_density``, from which the engine computes the mass. Without ``mass`` and
-    ``wall_density``, the mass is zero. If at least one section has a shear modulus, the torsion of the riser
-    resists the yaw of a vessel, and sections without a shear modulus are rigid in torsion. Other properties
-    that are not given, such as drag and contents, are zero or absent.
+    computes the axial and the bending stiffness. A section without bending stiffness is a string: it carries
+    no bending moment. Give ``mass``, or ``wall_density``, from which the engine computes the mass. Without
+    ``mass`` and ``wall_density``, the mass of a section is zero. If at least one section has a shear modulus,
+    the torsion of the riser resists the yaw of a vessel, and sections without a shear modulus are rigid in
+    torsion. Other properties that are not given, such as drag and contents, are zero.
 
     The key ``submerged_weight`` is the weight of the pipe with everything fixed to it, minus the weight of
     the water that the *outer* surface displaces. The key ``submerged_weight`` does not include the weight of
     ``contents``. An example is a bare steel pipe with an outer diameter of 21 in, an inner diameter of 19 in
     and a mass of 318.2 kg/m. The example pipe has a submerged weight of 874.7 N/m in sea water of 1025
     kg/m^3, with a gravity of 9.81 m/s^2. If the example pipe is full of mud of 1200 kg/m^3, the key
-    ``contents`` adds 2153.4 N/m. If the example pipe is full of sea water, give 874.7 N/m with ``contents``
-    of 1025 kg/m^3. Alternatively, give 2714.1 N/m without ``contents``; this weight includes 1839.4 N/m of
-    water inside the pipe. If a section has no ``submerged_weight``, the engine computes the submerged weight
-    from the mass, the diameters, gravity and the density of the water. A section without ``submerged_weight``
-    must therefore have an inner diameter and ``contents``; otherwise the engine refuses the scene. For a
-    section that is wholly above the water, ``submerged_weight`` is the weight in air. If a section crosses
-    the water surface, and has no ``submerged_weight``, or has ``modules`` or ``lines``, the engine divides it
-    at the surface. In results, the part above the water is named ``<name>, above water``. If such a section
-    has a given ``submerged_weight``, the engine adds the missing buoyancy to the weight of the part above the
-    water. The missing buoyancy is the weight of water in the volume of the outer diameter.
+    ``contents`` adds 2153.4 N/m. If the example pipe is full of sea water, give a ``submerged_weight`` of
+    874.7 N/m with ``contents`` of 1025 kg/m^3. Without ``contents``, the pipe full of sea water has a
+    ``submerged_weight`` of 2714.1 N/m, including 1839.4 N/m of water inside the pipe. If a section has no
+    ``submerged_weight``, the engine computes the submerged weight from mass, diameters, gravity and water
+    density. A section without ``submerged_weight`` must therefore have an inner diameter and ``contents``;
+    otherwise the engine refuses the scene. For a section wholly above the water, ``submerged_weight`` is the
+    weight in air. If a section crosses the water surface, and has no ``submerged_weight``, or has ``modules``
+    or ``lines``, the engine divides the section at the surface. In results, the upper part of a divided
+    section is named ``<name>, above water``. If a divided section has a given ``submerged_weight``, the
+    engine adds the missing buoyancy to the weight of the part above the water. The missing buoyancy is the
+    weight of water in the volume of the outer diameter.
 
     The key ``buoyancy_lift``, the net lift of buoyancy modules in water, has no effect on the simulation,
     because ``submerged_weight`` already includes the lift. Only the minimum tension formula of the command
     ``riserstudy tension`` requires ``buoyancy_lift``, because the formula treats steel and modules
-    separately. Without ``buoyancy_lift``, ``riserstudy tension`` does not evaluate this formula.
+    separately. Without ``buoyancy_lift``, ``riserstudy tension`` omits the minimum tension formula.
 
-    If a section has ``modules`` or ``lines``, its given mass, weight and stiffness refer to the pipe alone.
-    The engine adds the mass, weight and stiffness of modules and lines to the values of the pipe. If a
-    scene has ``modules``, the engine computes ``buoyancy_lift`` from the lift of the modules; in sections
-    without modules, ``buoyancy_lift`` is zero. The diameters in ``drag`` and ``added_mass`` apply to pipe,
-    modules and lines together.
+    If a section has ``modules`` or ``lines``, the given mass, weight and stiffness refer to the pipe alone.
+    The engine adds the mass, weight and stiffness of modules and lines to the values of the pipe. If a scene
+    has ``modules``, the engine computes ``buoyancy_lift`` from the lift of the modules; in sections without
+    modules, ``buoyancy_lift`` is zero. The diameters in the keys ``drag`` and ``added_mass`` of a section
+    apply to pipe, modules and lines together.
     """
 
     name: str

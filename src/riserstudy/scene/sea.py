@@ -55,12 +55,12 @@ class Swell(Strict):
 class RegularWave(Swell, Wave):
     """A regular Airy wave, given by its amplitude, or by its height (twice the amplitude).
 
-    The surface elevation is amplitude cos(k x - 2 pi t / period + phase). By default, the phase is 0, and the
-    wave travels along x. By default, the wave acts from t = 0 without a ramp, on a riser in static
-    equilibrium. The key ``above_mean_level`` defines the water velocities above the mean level: ``none``
-    (zero), ``constant`` (the velocity at the mean level), or ``stretched`` (Wheeler's stretched profile). A
-    wave that is higher than 0.142 L tanh(k d) would break, and causes a warning. In this formula, L is the
-    length of the wave, k its wave number and d the depth of the water.
+    The surface elevation is amplitude cos(k x - 2 pi t / period + phase). By default, a regular wave has the
+    phase 0 and travels along x. By default, a regular wave acts from t = 0 without a ramp, on a riser in
+    static equilibrium. The key ``above_mean_level`` defines the water velocities above the mean level:
+    ``none`` (zero), ``constant`` (the velocity at the mean level), or ``stretched`` (Wheeler's stretched
+    profile). A wave that is higher than 0.142 L tanh(k d) would break, and causes a warning. In the formula
+    of the breaking height, L is the length of the wave, k its wave number and d the depth of the water.
     """
 
 
@@ -95,8 +95,8 @@ class IrregularSea(Storm, Wave):
 class WindDrift(Strict):
     """Ekman's drift of deep water under a steady wind.
 
-    The speed of the drift at the surface is surface_factor W / sqrt(sin latitude), with the wind speed W. At
-    the surface, the direction of the drift is 45 degrees from the wind. With increasing depth, the drift
+    The speed of Ekman's drift at the surface is surface_factor W / sqrt(sin latitude), with the wind speed W.
+    At the surface, the direction of the drift is 45 degrees from the wind. With increasing depth, the drift
     turns further away from the wind. At the friction depth, depth_factor W / sqrt(sin latitude), the drift is
     opposite to its direction at the surface, with 1/23 of its speed at the surface. The key ``component``
     selects the part of the drift that acts on the riser: along the wind, across the wind, the magnitude, or

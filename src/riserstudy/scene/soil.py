@@ -18,10 +18,10 @@ from riserstudy.scene.damping import DampingAtPeriod
 class Matlock(Strict):
     """Soft clay under static load, by Matlock's p-y curves.
 
-    The undrained shear strength increases linearly with depth. Matlock's p-y curve (resistance as a function
-    of displacement) is infinitely stiff at zero displacement. Up to a small displacement, ``straight_up_to``
-    times y50, a straight line therefore replaces the curve. The symbol y50 is the displacement at half of the
-    ultimate resistance.
+    The undrained shear strength of the clay increases linearly with depth. Matlock's p-y curve (resistance as
+    a function of displacement) is infinitely stiff at zero displacement. Up to a small displacement,
+    ``straight_up_to`` times y50, a straight line therefore replaces Matlock's curve. The symbol y50 in
+    Matlock's p-y curve is the displacement at half of the ultimate resistance.
     """
 
     strength_at_mudline: Annotated[u.Modulus, NOT_NEGATIVE]
@@ -41,10 +41,10 @@ class ElasticSoil(Strict):
 class Sand(Strict):
     """Sand by the p-y curves of API RP 2A: p = A p_u tanh(k X y / (A p_u)) at the depth X.
 
-    In the formula, p_u is the ultimate resistance, y the displacement, and k (``initial_modulus``) the
-    increase of the soil stiffness with depth. The factor A is 0.9 under cyclic loading. Under static loading,
-    A is 3 - 0.8 X / D with the diameter D of the conductor, and at least 0.9. The key ``friction_angle`` is
-    the angle of internal friction.
+    In the formula of the p-y curve for sand, p_u is the ultimate resistance, y the displacement, and k
+    (``initial_modulus``) the increase of the soil stiffness with depth. The factor A of the p-y curve is 0.9
+    under cyclic loading. Under static loading, the factor A is 3 - 0.8 X / D with the diameter D of the
+    conductor, and at least 0.9. The key ``friction_angle`` is the angle of internal friction of the sand.
     """
 
     friction_angle: Annotated[u.Angle, Field(gt=0, lt=math.radians(50.0))]
@@ -64,10 +64,11 @@ class ResistanceAt(Strict):
 class TabulatedSoil(Strict):
     """p-y curves as a table: rows for several depths, with increasing displacements at each depth.
 
-    Between the points of a p-y curve, the resistance is a monotone cubic function that starts at zero.
-    Beyond the last point, the resistance is constant. Between two depths, the resistance is interpolated
-    linearly. The soil spring of a node has the mean resistance over the part of the conductor that the node
-    represents. The depths of the table must reach from the mudline to the lower end of the conductor.
+    Between the points of a p-y curve, the resistance is a monotone cubic function that starts at zero. Beyond
+    the last point of a p-y curve, the resistance is constant. Between the depths of two p-y curves, the
+    resistance is interpolated linearly. The soil spring of a node has the mean resistance over the part of
+    the conductor that the node represents. The depths of a table of p-y curves must reach from the mudline to
+    the lower end of the conductor.
     """
 
     table: Annotated[list[ResistanceAt], Field(min_length=1)]
@@ -106,9 +107,10 @@ class SoilDamping(DampingAtPeriod):
 
     The key ``ratio`` is the damping ratio (damping divided by critical damping) at one period of motion. In a
     cycle with the period ``at_period`` and the amplitude ``at_displacement``, a dashpot dissipates 4 pi
-    ``ratio`` times the elastic energy of its soil spring. The elastic energy is computed with the secant
-    stiffness. Choose ``at_period`` close to the period of motion. At longer periods, a dashpot dissipates
-    less energy per cycle, whereas the energy per cycle of real soil does not decrease.
+    ``ratio`` times the elastic energy of its soil spring. The elastic energy of the soil spring is computed
+    with the secant stiffness. Choose a period ``at_period`` of the dashpots that is close to the period of
+    motion. At periods longer than ``at_period``, a dashpot dissipates less energy per cycle, whereas the
+    energy per cycle of real soil does not decrease.
     """
 
     at_displacement: Annotated[u.Length, POSITIVE] | None = None

@@ -46,8 +46,8 @@ class Gas(Chamber):
     """One gas chamber per cylinder, with the pull F = A P (V / (V - A reach))^k - A outside.
 
     In the formula of the pull F, A is the area, k the exponent, and P and V are pressure and volume at
-    mid-stroke. The symbol ``reach`` is the extension from mid-stroke, and ``outside`` is the external
-    pressure.
+    mid-stroke. In this formula, ``reach`` is the extension of the cylinder from mid-stroke, and ``outside``
+    is the external pressure.
     """
 
     exponent: Annotated[float, Field(gt=1)]
@@ -68,8 +68,8 @@ class TwoChamberGas(Strict):
     """Two gas chambers per tensioner cylinder.
 
     The gas at high pressure pulls the tension ring up. The low-pressure gas and the weight of the pistons act
-    against this pull. The pull of the cylinder is the force of the high-pressure gas minus the force of the
-    low-pressure gas and the weight of the pistons.
+    against the high-pressure gas. The pull of a cylinder is the force of the high-pressure gas minus the
+    force of the low-pressure gas and the weight of the pistons.
 
     Without ``pistons``, the weight and the mass of the pistons are zero.
     """
@@ -151,10 +151,10 @@ class Stroke(Strict):
 class Arrangement(Strict):
     """Tensioner cylinders between evenly spaced points on the tension ring and on the deck.
 
-    The key ``first_bearing`` is the bearing of the first cylinder, from +x towards +y. With ``half a
-    spacing``, the direction +x is midway between two cylinders. The key ``deck_elevation`` is the elevation
-    of the upper ends of the cylinders on the deck, with the platform at rest. The centre of the deck is
-    vertically above the riser's top.
+    The key ``first_bearing`` is the bearing of the first cylinder, from +x towards +y. With ``first_bearing:
+    half a spacing``, the direction +x is midway between two cylinders. The key ``deck_elevation`` is the
+    elevation of the upper ends of the cylinders on the deck, with the platform at rest. The centre of the
+    tensioner deck is vertically above the riser's top.
     """
 
     ring_radius: Annotated[u.Length, NOT_NEGATIVE]
@@ -201,19 +201,21 @@ class Tensioners(Strict):
 
     Damping and stops of the cylinders are optional.
 
-    The key ``mid_stroke`` selects the state of the riser in which all cylinders are at mid-stroke: either
-    the unstretched riser, or the equilibrium with the tension that the cylinders have at mid-stroke. In
-    both states, the riser is vertical, in still water, at an offset of zero, and no cylinder has failed.
+    The key ``mid_stroke`` selects the state of the riser in which all cylinders are at mid-stroke: either the
+    unstretched riser, or the equilibrium with the tension that the cylinders have at mid-stroke. In either
+    state of the riser for ``mid_stroke``, the riser is vertical, in still water, at an offset of zero, and no
+    cylinder has failed.
 
-    Give exactly one law for the pull of a cylinder, by one of the keys ``gas``, ``two_chamber_gas``,
-    ``linear``, ``carried`` or ``table``. The key ``linearised`` replaces a gas law by a straight line. The
-    key ``table`` gives the pull of one cylinder as a function of its reach (its extension from mid-stroke).
-    Between the rows of the table, the engine interpolates smoothly and monotonically; with ``interpolation:
-    linear``, it interpolates linearly. Beyond the ends of the table, the pull continues linearly, and the run
-    prints a warning.
+    Give exactly one law for the pull of a tensioner cylinder, by one of the keys ``gas``,
+    ``two_chamber_gas``, ``linear``, ``carried`` or ``table``. The key ``linearised`` replaces a gas law by a
+    straight line. The key ``table`` gives the pull of one cylinder as a function of its reach (its extension
+    from mid-stroke). Between the rows of the table, the engine interpolates the pull smoothly and
+    monotonically, or linearly with ``interpolation: linear``. Beyond the ends of the tensioner table, the
+    pull continues linearly, and the run prints a warning.
 
-    Without ``arrangement``, the cylinders are vertical. The key ``failed`` lists cylinders (numbered from 0)
-    that exert no force from the start. The key ``failing`` lists cylinders that fail during the run.
+    Without ``arrangement``, the tensioner cylinders are vertical. The key ``failed`` lists tensioner
+    cylinders (numbered from 0) that exert no force from the start. The key ``failing`` lists tensioner
+    cylinders that fail during the run.
     """
 
     count: Annotated[int, Field(ge=1, le=1000), WHOLE]

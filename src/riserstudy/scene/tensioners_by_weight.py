@@ -27,10 +27,10 @@ class DampingRatio(Strict):
 class Carried(Strict):
     """Linear law of the tensioners, computed from the suspended weight; it replaces the key ``linear``.
 
-    At mid-stroke, the working cylinders together carry the submerged weight of riser, contents and bodies.
-    The pull of inclined cylinders is larger than the suspended weight, because only the vertical part of the
-    pull carries this weight. The stiffness is the pull at mid-stroke divided by ``doubles_over``, the
-    extension at which the pull would be twice as large.
+    At mid-stroke, all cylinders without a failure together carry the submerged weight of riser, contents and
+    bodies. The pull of inclined cylinders is larger than the suspended weight, because only the vertical part
+    of the pull carries the weight. The stiffness of the cylinders is the pull at mid-stroke divided by
+    ``doubles_over``, the extension at which the pull would be twice as large.
     """
 
     doubles_over: Annotated[u.Length, POSITIVE]

@@ -53,11 +53,11 @@ class SidewaysThrust(Strict):
 class Turning(Strict):
     """Moment of the thrusters about the vertical axis, G (psi_c - psi) - D d psi/dt.
 
-    In the formula, psi is the present yaw angle of the vessel, and psi_c is ``command``, the commanded yaw
-    angle. The angles psi and psi_c are measured from the vessel's initial heading. The symbol G is the key
-    ``gain``, and D is the key ``velocity_gain``. Without ``command``, the commanded yaw angle is zero.
-    Without ``velocity_gain``, the thrusters do not damp the yaw. Without ``saturation``, the moment is
-    unlimited.
+    In the formula of the moment, psi is the present yaw angle of the vessel, and psi_c is ``command``, the
+    commanded yaw angle. The yaw angles psi and psi_c are measured from the vessel's initial heading. In the
+    formula of the moment, G is the key ``gain``, and D is the key ``velocity_gain``. Without ``command``, the
+    commanded yaw angle is zero. Without ``velocity_gain``, the thrusters do not damp the yaw. Without
+    ``saturation``, the moment of the thrusters is unlimited.
     """
 
     gain: Annotated[u.RotationalStiffness, NOT_NEGATIVE]
@@ -69,16 +69,17 @@ class Turning(Strict):
 class Thrusters(Strict):
     """Thrust G (x_c - x) - D v towards the commanded position x_c, measured from the point above the well.
 
-    In the formula, G is the key ``gain``, D is the key ``velocity_gain``, and x and v are the position and
-    the velocity of the vessel. The gains apply along and across the hull in its initial position. The key
-    ``command`` is the distance of the commanded position from the point above the well, and ``heading`` is
-    its direction. Without ``heading``, the commanded position is on the x axis. Without ``velocity_gain``,
-    the thrusters do not damp the motion of the vessel. Without ``saturation``, the thrust is unlimited. With
-    ``saturation``, the magnitude of the thrust is at most ``saturation`` in all directions. By default, the
-    commanded position applies from the start. With ``rise``, the commanded distance increases in proportion
-    to 1 - exp(-t / rise). By default, the thrust follows the formula immediately. With ``lag``, the thrust
-    follows the formula with the time constant ``lag``. Without ``sway``, there is no thrust across the hull.
-    Without ``yaw``, the thrusters exert no moment on the vessel.
+    In the formula of the thrust, G is the key ``gain``, D is the key ``velocity_gain``, and x and v are the
+    position and the velocity of the vessel. The gains of the thrusters apply along and across the hull in its
+    initial position. The key ``command`` is the distance of the commanded position from the point above the
+    well, and the key ``heading`` gives the direction of the commanded position. Without ``heading``, the
+    commanded position is on the x axis. Without ``velocity_gain``, the thrusters do not damp the motion of
+    the vessel. Without ``saturation``, the thrust is unlimited. With ``saturation``, the magnitude of the
+    thrust is at most ``saturation`` in all directions. By default, the commanded position applies from the
+    start. With the key ``rise``, the commanded distance increases in proportion to 1 - exp(-t / rise). By
+    default, the thrust follows its formula without delay. With the key ``lag``, the thrust follows its
+    formula with the time constant ``lag``. In a scene without the key ``sway`` of the vessel, the thrusters
+    exert no thrust across the hull. Without the key ``yaw``, the thrusters exert no moment on the vessel.
     """
 
     gain: Annotated[u.Stiffness, NOT_NEGATIVE]
@@ -95,7 +96,7 @@ class Thrusters(Strict):
 class Sway(Strict):
     """Freedom of a vessel to move sideways.
 
-    Added mass and hull drag across the hull are zero if they are not given.
+    The added mass and the hull drag of a vessel across the hull are zero if they are not given.
     """
 
     added_mass: Annotated[u.Mass, NOT_NEGATIVE] | None = None
@@ -105,8 +106,9 @@ class Sway(Strict):
 class Yaw(Strict):
     """Freedom of a vessel to rotate about the vertical axis through the riser's top.
 
-    The moment of the hull drag is C |dpsi/dt| dpsi/dt, with the yaw angle psi and the key ``hull_drag`` (C).
-    Added inertia and hull drag are zero if not given.
+    The moment of the hull drag on a rotating vessel is C |dpsi/dt| dpsi/dt, with the yaw angle psi and the
+    key ``hull_drag`` (C). The added inertia and the hull drag of a rotating vessel are zero if they are not
+    given.
     """
 
     inertia: Annotated[u.MomentOfInertia, POSITIVE]
@@ -118,10 +120,10 @@ class Coupling(Strict):
     """Solution of platform and riser in turn, over intervals of time.
 
     With ``scheme: staggered``, the engine first moves the platform over each interval, with the riser's force
-    at the start of the interval. The engine then simulates the riser with this platform motion. With
-    ``scheme: iterated``, the engine repeats each interval with the new force of the riser, until the platform
-    motion changes by less than ``tolerance``. The default of ``tolerance`` is the limit for corrections of
-    positions in Newton's iteration.
+    at the start of the interval. With ``scheme: staggered``, the engine then simulates the riser with the
+    computed platform motion. With ``scheme: iterated``, the engine repeats each interval with the new force
+    of the riser, until the platform motion changes by less than ``tolerance``. The default of the key
+    ``tolerance`` of ``coupling`` is the limit for corrections of positions in Newton's iteration.
     """
 
     scheme: Literal["staggered", "iterated"]
@@ -171,17 +173,17 @@ class Coupling(Strict):
 class Vessel(Strict):
     """A floating platform, whose motion is computed together with the motion of the riser.
 
-    Added mass, hull drag, wind, wave drift and thrusters are zero if not given. The hull drag depends on the
-    velocity of the vessel relative to the surface current. Without ``sway``, the vessel moves only along x.
-    Without ``yaw``, the vessel keeps its heading. Without ``heading``, the hull is along x. If all loads act
-    along x, the vessel does not sway or turn, and the engine omits sway and yaw. The engine solves vessel and
-    riser as one system; with the key ``coupling``, it solves them in turn.
+    Added mass, hull drag, wind, wave drift and thrusters of a vessel are zero if they are not given. The hull
+    drag depends on the velocity of the vessel relative to the surface current. Without ``sway``, the vessel
+    moves only along x. Without ``yaw``, the vessel keeps its heading. Without ``heading``, the hull of the
+    vessel is along x. If all loads act along x, the vessel does not sway or turn, and the engine omits sway
+    and yaw. The engine solves vessel and riser as one system, or alternately with the key ``coupling``.
 
     The riser's top and the deck move with the sum of the slow motion of the vessel and the first-order
     (wave-frequency) motions, which the key ``platform`` gives. Hull drag, inertia and thrusters respond only
-    to the slow motion. The mean wave drift is a constant force. The outputs ``low_frequency_surge`` and
-    ``low_frequency_sway`` give the slow motion. The outputs ``platform_surge`` and ``platform_sway`` give the
-    sum of slow and first-order motion.
+    to the slow motion. The mean wave drift acts on the vessel as a constant force. The outputs
+    ``low_frequency_surge`` and ``low_frequency_sway`` give the slow motion. The outputs ``platform_surge``
+    and ``platform_sway`` give the sum of slow and first-order motion.
     """
 
     mass: Annotated[u.Mass, POSITIVE]
