@@ -222,7 +222,7 @@ def test_the_table_has_the_columns_of_the_contract():
         (120.0, "True in 80 of 80 samples (100 %). 80 of 200 samples meet the premise", "holds"),
         (150.0, "too few samples (50; at least 59 are needed)", "depends"),
         (40.0, "true in 100 of 160 samples (62 %", "depends"),
-        (999.0, "None of 200 samples meets the premise of the claim, so none is judged", "depends"),
+        (999.0, "None of 200 samples meets the premise of the claim, so no sample is judged", "depends"),
     ],
 )
 def test_a_claim_is_judged_only_where_what_it_takes_for_granted_is_so(premise, told, verdict):

@@ -143,7 +143,7 @@ def test_chance_hits_of_a_continuous_spread_meet_no_number(seed):
     assert found.verdict == "fails"
     assert found.grounds.share.met == 0
     assert (found.grounds.together.alone.met, found.grounds.together.others) == (alone, ["b"])
-    assert f"Judged alone, this value is met in {alone} of 512 samples" in row_of(found).note
+    assert f"Judged alone, the published value is met in {alone} of 512 samples" in row_of(found).note
     proportional = numbers(size, 2.0 * size)
     assert proportional.verdict == ("depends" if alone else "fails")
     assert proportional.grounds.share.met == alone

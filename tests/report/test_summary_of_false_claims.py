@@ -44,12 +44,13 @@ def test_every_kind_of_verdict_is_counted_once(tmp_path):
     found = written(tmp_path, rows)
     said = found.sentences
     assert said.startswith(
-        "The checks that judge the claims were tested with 10 deliberately false claims. 5 of these differ "
-        "only slightly from a claim of a paper. The checks accept 2 of the false claims. 5 fail, "
+        "The checks that judge the claims were tested with 10 deliberately false claims. 5 of the false "
+        "claims differ only slightly from a claim of a paper. The checks accept 2 of the false claims. "
+        "5 false claims fail, "
     )
     assert "and 3 depend on unspecified inputs. The false-positive rate is 20 %" in said
     assert said.endswith(
-        "The same checks accept 2 of the 3 original claims, from which the false claims were made."
+        "The checks also accept 2 of the 3 original claims, from which the false claims were made."
     )
     assert found.rows[0].share == "3 of 128"
     assert found.rows[0].how == "one sign changed"
@@ -59,7 +60,10 @@ def test_every_kind_of_verdict_is_counted_once(tmp_path):
 def test_a_claim_without_a_grade_does_not_count_as_undecided(verdict, tmp_path):
     rows = [row()] * 2 + [row("depends")] + [row(verdict)] * 3
     said = written(tmp_path, rows).sentences
-    assert "2 fail, and 1 depend on unspecified inputs. 3 cannot be graded. The false" in said
+    assert (
+        "2 false claims fail, and 1 depend on unspecified inputs. 3 false claims cannot be graded. The false"
+        in said
+    )
 
 
 def test_a_claim_without_samples_has_no_share_and_no_file_has_no_summary(tmp_path):

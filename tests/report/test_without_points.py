@@ -41,7 +41,7 @@ def test_a_verdict_that_a_point_alone_made_turns_without_it(db):
     for point in (12, 13):  # at either speed
         found = without_points(db, [CLAIM], {STUDY: [point]})
         assert found.turned == [(CLAIM, "holds")]
-        said = "If these points are left out, 1 of the verdicts changes"
+        said = "If points with larger errors are left out, 1 of the verdicts changes"
         assert found.turning.endswith(said)
         assert found.left == ""
 
@@ -50,14 +50,16 @@ def test_other_points_leave_a_verdict_as_it_is(db):
     for off in ({STUDY: [14]}, {STUDY: []}, {}):
         found = without_points(db, [CLAIM], off)
         assert (found.stand, found.turned, found.bound) == ([CLAIM], [], [])
-        assert found.turning.endswith("If these points are left out, none of the verdicts changes")
+        assert found.turning.endswith(
+            "If points with larger errors are left out, none of the verdicts changes"
+        )
 
 
 def test_what_rests_on_such_points_in_its_base_or_in_every_case_cannot_be_graded(db):
     for points in ([10, 12], [*range(10, 16)]):
         found = without_points(db, [CLAIM], {STUDY: points})
         assert found.bound == [CLAIM]
-        assert found.left.startswith("The other verdict cannot be graded")
+        assert found.left.startswith("One verdict cannot be graded")
 
 
 def test_a_fitted_value_stays_one(db):

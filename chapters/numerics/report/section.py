@@ -94,7 +94,7 @@ def known(validation: xr.Dataset) -> str:
     met = f"{int(holds.sum())} of {len(holds)}"
     bad = validation.isel(row=~holds)
     named = [f"{n}, {q}" for n, q in zip(bad["name"].values, bad["quantity"].values, strict=True)]
-    but = f" These do not agree: {'; '.join(named)}." if named else ""
+    but = f" The results that do not agree are {'; '.join(named)}." if named else ""
     return (
         f"{met} results agree with a known value within the tolerance of the comparison. The sources of the "
         f"known values are {text}.{but}"
@@ -112,11 +112,11 @@ def stable_steps(steps: xr.Dataset) -> str:
     ends = dict.fromkeys(f"{float(end):.3f}" for end in (ratio.min(), ratio.max()))
     return (
         f"In explicit integration, the longest stable time step was found to {STEP_FOUND:g} %. "
-        f"This longest step is {' to '.join(ends)} times the step that the engine predicts. "
+        f"The longest stable step is {' to '.join(ends)} times the step that the engine predicts. "
         + (
-            f"Too long are the predictions for {listed(named)}."
+            f"The predicted steps are too long for {listed(named)}."
             if named
-            else "No predicted time step is longer than the longest stable one."
+            else "No predicted time step is longer than the longest stable time step."
         )
     )
 
@@ -134,10 +134,10 @@ def costs(effects: xr.Dataset) -> list[str]:
     compiled = f"Before its first run, the engine compiles {effects.attrs['compiled_functions']} functions"
     return [
         f"The most expensive effects are {listed(named)}. Each percentage is the largest share of the run "
-        "time that the effect takes in any scene.",
+        "time that an effect takes in any scene.",
         f"{compiled}. The compilation takes {duration(cold, 3)} ({spent:.0f} core-seconds)."
         if cold == cold
-        else f"{compiled}. Their compile time is unknown, because some were compiled before the measurement.",
+        else f"{compiled}. The compile time is unknown, because some functions were compiled before.",
     ]
 
 
@@ -150,7 +150,7 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
     were = "was" if count == 1 else "were"
     counts = (
         f"{counted(count, 'random scene')} {were} run with a tolerance of {100 * requested:g} %. The engine "
-        f"refused {refused or 'none'} of them, and {left or 'none'} could not be "
+        f"refused {refused or 'none'} of the random scenes, and {left or 'none'} could not be "
         "judged, because a run took too long or there is no reference solution"
     )
     if not ran.sizes["drawn"]:
@@ -172,11 +172,11 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
     if work.sizes["drawn"]:
         middle, most = (float(x) for x in work.quantile([0.5, 0.95]))
         lines.append(
-            "To meet a tolerance, the engine refines mesh and time step in several runs. The work of these "
-            "runs is divided by the work of the cheapest single run of equal error, with a uniform mesh. "
-            f"In {counted(none, 'scene')} no tested single run of equal error requires less work than the "
-            f"refinements. Of the other {counted(work.sizes['drawn'], 'scene')}, the median of this ratio of "
-            f"work is {middle:.2g}, and 95 % have a ratio of at most {most:.2g}."
+            "To meet a tolerance, the engine refines mesh and time step in several runs. The work of all "
+            "refinements is divided by the work of the cheapest single run of equal error, with a uniform "
+            f"mesh. In {counted(none, 'scene')} no tested single run of equal error requires less work than "
+            f"the refinements. In {counted(work.sizes['drawn'], 'scene')}, the median of this ratio of work "
+            f"is {middle:.2g}, and 95 % have a ratio of at most {most:.2g}."
         )
     return lines
 

@@ -59,8 +59,8 @@ def hard_cases(stability: xr.Dataset) -> Table:
     about = (
         "The columns Error and Estimate are for a run with the mesh, time step and method of the scene. For "
         "each method, two time steps (s) are given: the longest that is accurate to 1 %, and the longest "
-        "that is stable. Both are for the mesh of the default accuracy. A dash means that no tested time "
-        "step is accurate, or stable."
+        "that is stable. Both time steps are for the mesh of the default accuracy. A dash means that no "
+        "tested time step is accurate, or stable."
     )
     columns = ["Case", "Family", "What it is", "Ended", "Verdict", "Error", "Estimate", *methods]
     return Table("Hard cases", about, columns, {*range(5, len(columns))}, rows)
@@ -160,8 +160,8 @@ def known(validation: xr.Dataset) -> Table:
         words = [Cell(text[name]) for name in ("name", "quantity", "kind", "by")]
         rows.append([*words, *both, *allowed, verdict, Cell(f"The tolerance covers {text['because']}.")])
     about = (
-        "These comparisons are repeated in every run of the chapter. The error is the difference divided by "
-        "the magnitude of the reference. The last column gives the reason for the tolerance."
+        "The comparisons in this table are repeated in every run of the chapter. The error is the difference "
+        "divided by the magnitude of the reference. The last column gives the reason for the tolerance."
     )
     columns = ["What", "Number", "Reference", "By", "Known", "Computed", "Error", "Tolerance"]
     return Table("Comparison with known results", about, [*columns, "Verdict", "Because"], {4, 5, 6, 7}, rows)

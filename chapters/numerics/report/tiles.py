@@ -90,7 +90,8 @@ def _times(found: Price, scenes: np.ndarray, seconds: np.ndarray) -> str:
     return (
         f"With a tolerance of {100 * found.coarse:g}\u00a0% for {listed(QUANTITIES)}, {what} "
         f"{low if low == high else f'{low} to {high}'}\u00a0ms. "
-        f"With a tolerance of {100 * found.fine:g}\u00a0%, {'it takes' if one else 'these scenes take'} "
+        f"With a tolerance of {100 * found.fine:g}\u00a0%, "
+        f"{'the simulation takes' if one else 'the test scenes take'} "
         f"{found.words} times as long."
     )
 
@@ -109,11 +110,11 @@ def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
     ends_of = [(refused, "refused with a stated reason"), (other, "not as expected")]
     left = [(count, f"{'is' if count == 1 else 'are'} {end}") for count, end in ends_of if count]
     if len(left) > 1:
-        words.append(f"of the other scenes, {listed(f'{count} {end}' for count, end in left)}")
+        words.append(f"of the difficult scenes, {listed(f'{count} {end}' for count, end in left)}")
     elif left:
         [(count, end)] = left
-        words.append(f"the other {'scene' if count == 1 else f'{count} scenes'} {end}")
-    words.append("compression and disconnects are examples of the difficulties")
+        words.append(f"{'one difficult scene' if count == 1 else f'{count} difficult scenes'} {end}")
+    words.append("difficult scenes include compression and disconnects")
     if counts.compared and not silent:
         words.append(
             f"{counts.compared} results are compared with a reference solution, "
@@ -139,20 +140,22 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
         subject = any_of if added else f"leaving out {any_of}"
         answers.append(
             f"{subject} changes displacement, moment or tension by more than 1\u00a0% in at least "
-            f"{least}\u00a0% of the scenes that include it"
+            f"{least}\u00a0% of the scenes that include the effect"
         )
     if none:
-        what = "none of these three results" if top else "no displacement, moment or tension"
+        what = "no displacement, moment or tension"
         answers.append(f"{_named(none)} {what} by more than 1\u00a0%")
     rows = [*ranked[: ROWS - len(none)], *none]
     drawn = sorted(((one.name, one.changed / one.scenes) for one in rows), key=lambda row: -row[1])
     if len(ranked) > len(top) + len(none) and len(never(ranked)) == len(none) > 0:
-        answers.append("the other effects lie in between")
+        answers.append("the influence of all other effects lies between these extremes")
     return (
         number,
         " ".join(map(sentence, answers)),
         _bars(drawn)
-        + _under("scenes with the effect in which it changes one of these results by more than 1 %"),
+        + _under(
+            "share of scenes in which the effect changes displacement, moment or tension by more than 1 %"
+        ),
     )
 
 

@@ -113,7 +113,7 @@ def _way(grounds: Grounds) -> Iterator[tuple[str, str]]:
         yield "Samples that agree with the paper", f"{grounds.share.met} of {grounds.share.samples}{chosen}"
     if grounds.together is not None:
         alone = alone_in_words(grounds.together)
-        yield "Cases that meet this value, with or without the others", alone
+        yield "Cases that meet this value, alone or together with other values", alone
     if grounds.settled is not None:
         of = grounds.settled
         after = f"more than {of.samples}" if of.after is None else f"{of.after}"

@@ -63,10 +63,10 @@ def summary_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
         texts.append(f"{subject} {listed([most, *(f'{word} with {n}' for word, n in rest)])}.")
     if equal:
         one, of = len(equal) == 1, "" if found else f" of {count}"
-        texts.append(_equal(f"{len(equal)}{of} {'other ' if found else ''}interpretation{'s'[one:]}"))
+        texts.append(_equal(f"{len(equal)}{of} interpretation{'s'[one:]} of the paper"))
     if others:
-        remaining = "interpretation" if others == 1 else f"{others} interpretations"
-        texts.append(f"With the other {remaining}, the outcome depends on further inputs.")
+        remaining = "one interpretation" if others == 1 else f"{others} interpretations"
+        texts.append(f"In {remaining} of the paper, the outcome depends on further inputs.")
     return " ".join(texts)
 
 

@@ -94,14 +94,15 @@ def totals_of_false(verdicts: Sequence[str], originals: Sequence[str], subtle: i
     accepted, believed = (sum(verdict in ACCEPTED for verdict in some) for some in (verdicts, originals))
     failing, undecided = verdicts.count("fails"), verdicts.count("depends")
     rest = count - accepted - failing - undecided
-    others = f" {rest} cannot be graded." if rest else ""
+    others = f" {rest} false claims cannot be graded." if rest else ""
     high = 100.0 * binomtest(accepted, count).proportion_ci(method="exact").high
     return (
         "The checks that judge the claims were tested with "
-        f"{counted(count, 'deliberately false claim', spaced)}. {subtle} of these differ only slightly from "
-        f"a claim of a paper. The checks accept {accepted or 'none'} of the false claims. {failing} fail, "
-        f"and {undecided} depend on unspecified inputs.{others} The false-positive rate is "
-        f"{100.0 * accepted / count:.0f} % (95 % confidence interval up to {high:.0f} %). The same checks "
-        f"accept {believed or 'none'} of the {counted(len(originals), 'original claim', spaced)}, from which "
+        f"{counted(count, 'deliberately false claim', spaced)}. {subtle} of the false claims differ only "
+        f"slightly from a claim of a paper. The checks accept {accepted or 'none'} of the false claims. "
+        f"{failing} false claims fail, and {undecided} depend on unspecified inputs.{others} "
+        f"The false-positive rate is {100.0 * accepted / count:.0f} % (95 % confidence interval up to "
+        f"{high:.0f} %). The checks also accept {believed or 'none'} of the "
+        f"{counted(len(originals), 'original claim', spaced)}, from which "
         "the false claims were made."
     )

@@ -52,7 +52,7 @@ def _further(kind: Kind, unit: str, grounds: Grounds) -> Iterator[str]:
     """All sentences except shares and deciding inputs."""
     yield from _way(grounds)
     if grounds.together is not None:
-        yield f"Judged alone, this value is met in {alone_in_words(grounds.together)}."
+        yield f"Judged alone, the published value is met in {alone_in_words(grounds.together)}."
     yield from _settled(grounds.settled)
     for outcome in grounds.outcomes:
         yield _outcome(kind, unit, outcome, grounds.together)
@@ -183,13 +183,12 @@ def _premise(premise: Premise | None) -> Iterator[str]:
         return
     if premise.judged:
         meet = "meets" if premise.judged == 1 else "meet"
-        are = "is" if premise.judged == 1 else "are"
         yield (
-            f"{premise.judged} of {premise.samples} samples {meet} the premise of the claim; only "
-            f"{'this' if premise.judged == 1 else 'these'} {are} judged."
+            f"{premise.judged} of {premise.samples} samples {meet} the premise of the claim; only samples "
+            "that meet the premise are judged."
         )
     else:
-        yield f"None of {premise.samples} samples meets the premise of the claim, so none is judged."
+        yield f"None of {premise.samples} samples meets the premise of the claim, so no sample is judged."
 
 
 def _missing(missing: Missing | None) -> Iterator[str]:
@@ -205,7 +204,8 @@ def _together(together: Together | None) -> Iterator[str]:
         return
     others = listed(together.others)
     values = "value" if len(together.others) == 1 else "values"
-    yield f"The number counts as met only if the same inputs also give the published {values} {others}."
+    published = f"the other published {values}, {others}"
+    yield f"The published value counts as met only if the same inputs also give {published}."
 
 
 def alone_in_words(together: Together) -> str:
@@ -219,7 +219,8 @@ def _chosen(chosen: Chosen | None) -> Iterator[str]:
         return
     then = "The samples also include other values of the chosen input."
     if not chosen.varied:
-        then = "No sample varies the chosen assumption, so this agreement is no evidence for the model."
+        then = "No sample varies the chosen assumption, so the agreement of the base case is no evidence "
+        then += "for the model."
     yield f"An assumption was chosen so that the base case agrees with the paper: {chosen.what}. {then}"
 
 

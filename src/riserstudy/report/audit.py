@@ -107,13 +107,13 @@ class Missed(NamedTuple):
             silent = self.not_estimated + self.exact + prescribed - self.estimated
             known = self.points - silent
             kept = f"At {counted(known, 'grid point')}, the estimated errors are within the tolerance."
-            other = f"At the other {counted(silent, 'grid point')}, the error was not estimated."
+            other = f"At {counted(silent, 'further grid point')}, the error was not estimated."
             return f"{kept} {other}" if silent else kept
         requested = self._with_a_tolerance
         points = counted(prescribed, "grid point")
         sentence = (
             f"Mesh and time step are prescribed, instead of a tolerance, at {points}. "
-            f"The error was estimated at {spaced(self.estimated)} of these points"
+            f"Of the points with a prescribed mesh, the error was estimated at {spaced(self.estimated)}"
         )
         most = share(TOLERANCE)
         if self.tuned:
@@ -121,7 +121,7 @@ class Missed(NamedTuple):
         if not fixed:
             return f"{requested}. {sentence}, and is at most {most}".rstrip(",") + "."
         return (
-            f"{requested}. {sentence}, and exceeds {most} at {fixed} of them. "
+            f"{requested}. {sentence}, and exceeds {most} at {fixed}. "
             f"The largest estimated error is {share(self.worst)}, in the dataset {self.where}."
         )
 
@@ -132,18 +132,18 @@ class Missed(NamedTuple):
         text = (
             f"{spaced(self.missed_by_request)} of {judged} with a tolerance have larger errors"
             if self.missed_by_request
-            else f"At {judged} with a tolerance, the estimated errors are within this tolerance"
+            else f"At {judged} with a tolerance, the estimated errors are within the tolerance"
         )
         if self.not_estimated:
-            more = counted(self.not_estimated, "other grid point")
+            more = counted(self.not_estimated, "further grid point")
             their = "its" if self.not_estimated == 1 else "their"
             text += (
                 f". At {more} with a tolerance, the error was not estimated, because {their} mesh and "
                 "time step were tuned in advance"
             )
         if self.exact:
-            more = counted(self.exact, "other grid point")
-            text += f". At {more}, the riser is a massless spring in equilibrium, so its mesh causes no error"
+            more = counted(self.exact, "further grid point")
+            text += f". At {more}, the riser is a massless spring in equilibrium, so the mesh causes no error"
         return text
 
 

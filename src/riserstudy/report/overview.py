@@ -55,8 +55,8 @@ def subject(files: dict[str, StudyFile], claims: list[Claim]) -> tuple[str, str]
     return (
         f"{count} {plain} on drilling risers, simulated again",
         "riserstudy is a simulation program for drilling risers, the pipes between a floating platform and a "
-        "well on the seabed. Here it repeats the simulations of "
-        f"{count.lower()} published {plain}, and checks every published value and claim. "
+        "well on the seabed. This report contains simulations of "
+        f"{count.lower()} published {plain}, and a check of every published value and claim. "
         "Inputs that a paper omits are assumed, and varied in random samples.",
     )
 

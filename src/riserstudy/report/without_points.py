@@ -29,10 +29,10 @@ class WithoutPoints(NamedTuple):
         used = "1 verdict uses" if count == 1 else f"{count} verdicts use"
         changed, ends = len(self.turned) or "none", "s" if len(self.turned) < 2 else ""
         graded = f"{len(self.turned) + len(self.stand)} " if self.bound else ""
-        which = f"the {graded}verdicts{' that can be graded without them' if self.bound else ''}"
+        which = f"the {graded}verdicts{' that can be graded without such points' if self.bound else ''}"
         return (
             f"{used} datasets with points whose error is above the tolerance, or above 1 % without a "
-            f"tolerance. If these points are left out, {changed} of {which} change{ends}"
+            f"tolerance. If points with larger errors are left out, {changed} of {which} change{ends}"
         )
 
     @property
@@ -41,10 +41,10 @@ class WithoutPoints(NamedTuple):
         if not self.bound:
             return ""
         many, their = len(self.bound), "its" if len(self.bound) == 1 else "their"
-        rest = "The other verdict" if many == 1 else f"The other {many} verdicts"
+        rest = "One verdict" if many == 1 else f"{many} verdicts"
         return (
-            f"{rest} cannot be graded without these points, because {their} base case or all {their} cases "
-            "use them"
+            f"{rest} cannot be graded without points with larger errors, because {their} base case or all "
+            f"{their} cases use such points"
         )
 
 

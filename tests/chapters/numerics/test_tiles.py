@@ -28,8 +28,8 @@ def test_the_tile_of_hard_cases_counts_them_and_draws_their_shares():
     (one,) = shown({"stability": stability})
     assert one.number == "1 of 3 results inaccurate without a warning"
     assert one.answer.startswith(
-        "2 of 4 difficult scenes run to their end. Of the other scenes, 1 is refused with a stated reason "
-        "and 1 is not as expected."
+        "2 of 4 difficult scenes run to their end. Of the difficult scenes, 1 is refused with a stated "
+        "reason and 1 is not as expected."
     )
     assert "each is accurate" not in one.answer
     assert one.spark.count("<rect") == 4
@@ -46,7 +46,7 @@ def test_the_tile_of_cost_is_the_ratio_of_times_and_draws_a_line_per_scene():
     assert one.number == "0.05\u00a0% error instead of 1\u00a0%: 2.5 to 3× the time"
     assert one.answer == (
         "With a tolerance of 1\u00a0% for displacement, moment and tension, 2 test scenes take "
-        "100 to 200\u00a0ms. With a tolerance of 0.05\u00a0%, these scenes take 2.5 to 3 times as long."
+        "100 to 200\u00a0ms. With a tolerance of 0.05\u00a0%, the test scenes take 2.5 to 3 times as long."
     )
     assert one.spark.count("<polyline") == 2
     assert "time limit" not in one.spark
