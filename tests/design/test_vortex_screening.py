@@ -219,3 +219,22 @@ def test_the_amplitude_of_a_mode_along_the_flow_vanishes(share):
     whole = amplitude_of(flow, shape, ones > 0.0, 0.2, 1.2)
     part = amplitude_of(flow, shape, ones > 0.0, 0.2, 1.2, share * shape)
     assert 0.0 <= part < 2.0 * share * whole
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_part_without_diameter_has_an_amplitude_but_no_ratio_to_a_diameter(seed):
+    """On a string whose upper half has no diameter, lift and drag act on the lower half only."""
+    draw = np.random.default_rng(seed)
+    diameter, speed = float(draw.uniform(1.1, 1.5)), float(draw.uniform(0.8, 1.6))
+    tree = string([(0.0, speed), (2000.0, speed)])
+    whole = tree["riser"][0]
+    bare = {k: v for k, v in whole.items() if k not in ("drag", "outer_diameter")}
+    half = float(whole["length"].split()[0]) / 2.0
+    whole |= {"length": f"{half} m", "drag": {"coefficient": 1.1, "diameter": f"{diameter} m"}}
+    tree["riser"].append(bare | {"name": "without diameter", "length": f"{half} m"})
+    found = screened(tree)
+    assert found.sizes["mode"] > 0
+    upper = found["z"].values > half * 1.01
+    assert np.isnan(found["relative_amplitude"][:, upper]).all()
+    lower = found["relative_amplitude"][:, found["z"].values < 0.99 * half]
+    np.testing.assert_allclose(found["amplitude"], lower.max("z"), rtol=0.01)

@@ -1,5 +1,7 @@
 """Screening for vortex-induced vibration does not depend on how a scene is written: seeded rigs."""
 
+import copy
+
 import numpy as np
 import pytest
 from changes import in_other_units, lifted, mirrored, rotated
@@ -47,14 +49,8 @@ def test_in_space_only_modes_across_the_flow_are_excited(seed):
         assert (differences <= np.maximum(5e-3, 3.0 * apart)).all(), name
 
 
-@pytest.mark.long
-@pytest.mark.parametrize("spatial", [False, True])
-@pytest.mark.parametrize("seed", seeds(8, few=3))
-def test_amplitudes_do_not_depend_on_the_mesh(seed, spatial, monkeypatch):
-    """Lift acts up to where the bounds of the reduced velocity lie, not on whole segments."""
-    tree = moving(seed, spatial=spatial, conductor=False)
-    tree["analysis"] = {}  # no mesh of its own: the default one
-    file = SceneFile("rig.yaml", written(tree))
+def on_meshes(file, monkeypatch):
+    """The screenings of a file on its mesh and on four times as many segments: modes that both have."""
     mesh_of = modes.mesh_of_modes
 
     def halved(times):
@@ -71,9 +67,19 @@ def test_amplitudes_do_not_depend_on_the_mesh(seed, spatial, monkeypatch):
         for module in (modes, vortex_screening):
             monkeypatch.setattr(module, "mesh_of_modes", halved(times))
         found.append(screening(file))
-    one, two = found
-    common = np.intersect1d(one["mode"], two["mode"])
-    one, two = (each.sel(mode=common) for each in found)
+    common = np.intersect1d(*(each["mode"] for each in found))
+    return [each.sel(mode=common) for each in found]
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("spatial", [False, True])
+@pytest.mark.parametrize("seed", seeds(8, few=3))
+def test_amplitudes_do_not_depend_on_the_mesh(seed, spatial, monkeypatch):
+    """Lift acts up to where the bounds of the reduced velocity lie, not on whole segments."""
+    tree = moving(seed, spatial=spatial, conductor=False)
+    tree["analysis"] = {}  # no mesh of its own: the default one
+    file = SceneFile("rig.yaml", written(tree))
+    one, two = on_meshes(file, monkeypatch)
     segment, whole = np.diff(one["z"].values).max(), np.ptp(one["z"].values)
     # a bound of a short excited length moves with the frequency, too, on the scale of the whole profile
     moved = abs(one["natural_frequency"].values / two["natural_frequency"].values - 1.0) * whole
@@ -81,6 +87,27 @@ def test_amplitudes_do_not_depend_on_the_mesh(seed, spatial, monkeypatch):
     for name in ("excited_length", "amplitude", "drag_factor"):
         apart = abs(one[name].values / two[name].values - 1.0)
         assert (apart <= 0.01 + short).all(), name
+
+
+@pytest.mark.parametrize("spatial", [False, True])
+@pytest.mark.parametrize("seed", range(4))
+def test_the_largest_amplitude_may_be_at_the_end_of_a_section(seed, spatial, monkeypatch):
+    """Slick joints at the lower end of a buoyed riser swing most, for their diameter, where they end.
+
+    On the mesh, this place is half a segment above the highest middle of their segments.
+    """
+    tree = rig(seed, spatial=spatial, conductor=False)
+    draw = np.random.default_rng((seed, 3))
+    lowest = tree["riser"][0]
+    slick = copy.deepcopy(lowest) | {"name": "slick joints"}
+    slick["length"] = lowest["length"] * draw.uniform(0.03, 0.08)
+    slick["drag"]["diameter"] *= draw.uniform(0.5, 0.6)
+    lowest["length"] -= slick["length"]
+    tree["riser"].insert(0, slick)
+    one, two = on_meshes(SceneFile("rig.yaml", written(tree)), monkeypatch)
+    assert one.sizes["mode"] > 0
+    long = two["excited_length"].values > 0.05 * np.ptp(two["z"].values)
+    np.testing.assert_allclose(one["amplitude"][long], two["amplitude"][long], rtol=0.01)
 
 
 @pytest.mark.parametrize("seed", range(8))

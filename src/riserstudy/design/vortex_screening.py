@@ -69,6 +69,7 @@ class Flow(NamedTuple):
     ends: FloatArray = np.empty(0)
     heights: FloatArray = np.empty(0)  # (parts + 1, n) elevations of these ends (m)
     wet: FloatArray | float = 1.0  # (n,) share of each segment that is in water
+    sized: NDArray[np.bool_] | bool = True  # (n,) false where no diameter is known, and 1 m stands for it
 
     def excited(self, frequency: float, given: Coefficients) -> tuple[FloatArray, FloatArray]:
         """Share of each part on which a mode (Hz) may lock in, and largest reduced velocity, (parts, n)."""
@@ -170,7 +171,8 @@ def flow_along(scene: Resolved, given: Coefficients) -> Flow:
     if d == len("xyz"):
         sideways = np.cross(tangent, across, axis=0) / np.where(speed > 0.0, speed, np.inf)
     speed, diameter = np.where(bare, 0.0, speed), np.where(bare, 1.0, diameter)
-    return Flow(z, mesh.l0, speed, diameter, drag, sideways, np.where(bare, 0.0, speeds), heights, wet)
+    speeds = np.where(bare, 0.0, speeds)
+    return Flow(z, mesh.l0, speed, diameter, drag, sideways, speeds, heights, wet, ~bare)
 
 
 def _coefficient(section: Section, z: float) -> float:
@@ -241,31 +243,41 @@ def amplitude_of(
     return float(brentq(gained, least, largest, xtol=1e-12 * largest))
 
 
-def _shapes(flow: Flow, found: xr.Dataset, given: Coefficients) -> tuple[FloatArray, FloatArray]:
-    """Magnitude of modes across the riser, (modes, n), and of their component across the flow.
+class _Shapes(NamedTuple):
+    """Magnitudes of modes across the riser, and of their component across the flow; (modes, n) each."""
 
-    In a plane both are equal: its modes represent the modes across the plane. In space, two modes of one
-    frequency may vibrate in any two directions; they are rotated to maximise the power that one of them
-    receives where it may lock in.
+    size: FloatArray  # at the middles of the segments
+    across: FloatArray  # component across the flow, at the middles
+    largest: FloatArray  # the larger size at the two ends of a segment: diameters may jump there
+
+
+def _shapes(flow: Flow, found: xr.Dataset, given: Coefficients) -> _Shapes:
+    """The modes along the riser.
+
+    In a plane, the modes represent the modes across the plane. In space, two modes of one frequency may
+    vibrate in any two directions; they are rotated to maximise the power that one of them receives where it
+    may lock in.
     """
     nodes = np.stack([found[name].values for name in "xyz" if name in found], axis=1)
-    middles = 0.5 * (nodes[:, :, :-1] + nodes[:, :, 1:])
-    if flow.across is None:
-        size = np.sqrt(np.square(middles[:, :-1]).sum(axis=1))
-        return size, size
     frequency, power = found["frequency"].values, flow.length * flow.diameter * flow.speed**2
     k = 0
-    while k < len(middles) - 1:
-        pair = middles[k : k + 2]
+    while flow.across is not None and k < len(nodes) - 1:
+        pair = nodes[k : k + 2]
         if frequency[k] > 0.0 and frequency[k + 1] <= (1.0 + TWINS) * frequency[k]:
             share = flow.excited(frequency[k], given)[0].mean(axis=0)
-            turn = _strongest((pair * flow.across).sum(axis=1), share * power)
+            turn = _strongest((_middles(pair) * flow.across).sum(axis=1), share * power)
             c, s = math.cos(turn), math.sin(turn)
-            middles[k : k + 2] = np.einsum("ij,jkn->ikn", np.array([[c, s], [-s, c]]), pair)
+            nodes[k : k + 2] = np.einsum("ij,jkn->ikn", np.array([[c, s], [-s, c]]), pair)
             k += 1
         k += 1
-    across = np.abs((middles * flow.across).sum(axis=1))
-    return np.sqrt(np.square(middles[:, :-1]).sum(axis=1)), across
+    middles = _middles(nodes)
+    size, ends = (np.sqrt(np.square(of[:, :-1]).sum(axis=1)) for of in (middles, nodes))
+    across = size if flow.across is None else np.abs((middles * flow.across).sum(axis=1))
+    return _Shapes(size, across, np.maximum(ends[:, :-1], ends[:, 1:]))
+
+
+def _middles(nodes: FloatArray) -> FloatArray:
+    return np.asarray(0.5 * (nodes[..., :-1] + nodes[..., 1:]))
 
 
 def _strongest(across: FloatArray, weight: FloatArray) -> float:
@@ -291,7 +303,7 @@ def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients
     from riserstudy.dataset.complete import complete
     from riserstudy.dataset.describe import label_variables
 
-    size, across = _shapes(flow, found, given)
+    size, across, largest = _shapes(flow, found, given)
     wet = flow.diameter[flow.speed > 0.0]
     rows = []
     for k, frequency in enumerate(found["frequency"].values):
@@ -306,6 +318,7 @@ def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients
         shape, part = size[k] / size[k].max(), across[k] / size[k].max()
         amplitude = amplitude_of(flow, shape, share, frequency, given.lift, part)
         relative = amplitude * shape / flow.diameter
+        reached = amplitude * largest[k] / size[k].max() / flow.diameter
         with np.errstate(divide="ignore"):  # without drag, there is no limit
             drag = np.broadcast_to(flow.drag, reduced.shape)[lift_acts]
             limit = given.lift * reduced[lift_acts] / (2.0 * math.pi * drag)
@@ -319,11 +332,11 @@ def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients
                 "excited_to": flow.heights[1:][lift_acts].max(),
                 "slowest_current": given.slowest * frequency * wet.min(),
                 "fastest_current": given.fastest * frequency * wet.max(),
-                "amplitude": relative.max(),
+                "amplitude": reached.max(where=flow.sized, initial=0.0),
                 "amplitude_limit": limit.max(),
                 "drag_factor": 1.0 + given.drag_gain * float((relative * length).sum() / length.sum()),
                 "excited": excited,
-                "relative_amplitude": relative,
+                "relative_amplitude": np.where(flow.sized, relative, math.nan),
             }
         )
     names = [*ABOUT]
@@ -382,5 +395,5 @@ ALONG = {
     "current_speed": ("m s-1", "speed of the current across the riser"),
     "shedding_frequency": ("Hz", "frequency at which vortices are shed"),
     "excited": ("1", "whether the mode may lock in, at least on a part of the segment"),
-    "relative_amplitude": ("1", "amplitude over diameter"),
+    "relative_amplitude": ("1", "amplitude over diameter, where a diameter is known"),
 }
