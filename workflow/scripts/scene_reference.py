@@ -35,7 +35,7 @@ Arclengths along the riser start at its lower end.
 Every value of a scene has an origin, which states where the value comes from. If the scene has the key
 `paper`, a value without a stated origin is *published*: the paper prints it. In a scene without the key
 `paper`, a value without a stated origin is *given*: you know it. Write an origin other than *published* or
-*given* together with the value, as in these examples:
+*given* together with the value, as in the following examples of origins:
 
 ```yaml
 count: {assumed: 6, options: [6, 7], because: "six make the pull that the paper states"}
@@ -46,11 +46,12 @@ interval: {chosen: 0.1 s, because: "output interval of the run"}
 ```
 
 An *assumed* value is your estimate of an unknown value; the key `range` or `options` can give other possible
-values. A study (a set of simulations) can vary all assumed values with a `range` or `options` at the same
-time. A *calibrated* value was fitted to a published number. A *derived* value was computed from other values.
-A *chosen* value does not describe the riser; examples are the datum of elevations and the output interval.
-For each paper, a file in `config/published` can contain a list `inputs`, which names the values that the
-paper prints. In a scene of this paper, every value without a stated origin must be in the list `inputs`.
+values. A study (a set of simulations) can vary all assumed values with a `range` or `options` together. A
+*calibrated* value was fitted to a published number. A *derived* value was computed from other values. A
+*chosen* value does not describe the riser; examples are the datum of elevations and the output interval. For
+each paper, a file in `config/published` can contain a list `inputs`, which names the values that the paper
+prints. In a scene of a paper with the list `inputs`, every value without a stated origin must be in this
+list.
 
 You can give a table as a CSV file in the folder of the scene file, for example `profile: {file:
 current.csv}`. The first line of the CSV file gives the names of the columns with their units, in any order.

@@ -20,12 +20,12 @@ class Buoyancy(Strict):
 
     The keys ``factor`` (b) and ``tension_ratio`` (e) can be interpreted in three ways. The key ``reading``
     selects one of the interpretations R1, R2 or R3. The interpretations R1, R2 and R3 give different formulas
-    for the effective tension at a distance h below the top. In these three formulas, w is the weight in air
-    of riser and contents per length, and L the length of the riser. In R1, the tension is (1 - b) w (e L -
-    h), and the blocks carry the fraction b of the weight. In R2, the tension is b w (e L - h), and the blocks
-    carry the fraction 1 - b of the weight. In R3, the tension is w (e L - b h), and the blocks carry the
-    fraction 1 - b of the weight. If there is a body at the top of the riser, the top tension also carries the
-    weight of the body.
+    for the effective tension at a distance h below the top. In the formulas of R1, R2 and R3, w is the weight
+    in air of riser and contents per length, and L the length of the riser. With R1, the effective tension is
+    (1 - b) w (e L - h), and the blocks carry the fraction b of the weight. With R2, the effective tension is
+    b w (e L - h), and the blocks carry the fraction 1 - b of the weight. With R3, the effective tension is w
+    (e L - b h), and the blocks carry the fraction 1 - b of the weight. If there is a body at the top of the
+    riser, the top tension also carries the weight of the body.
     """
 
     factor: Annotated[float, Field(ge=0, le=1)]

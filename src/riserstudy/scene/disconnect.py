@@ -50,9 +50,10 @@ class RecoilValve(Strict):
 
     The key ``opening`` is the area of the open recoil valve. The open recoil valve throttles the oil even
     before the disconnect. The key ``discharge`` is the discharge coefficient of the recoil valve. At the time
-    ``delay`` after the disconnect, by default 0 s, the valve starts to close. Within the time ``over``, the
-    valve closes smoothly to the fraction ``residual`` of its opening. The key ``failed`` lists the cylinders
-    (numbered from 0) whose valves stay open. Without ``isolation``, no gas bottles are shut off.
+    ``delay`` after the disconnect, by default 0 s, the recoil valve starts to close. Within the time
+    ``over``, the recoil valve closes smoothly to the fraction ``residual`` of its opening. The key ``failed``
+    lists the cylinders (numbered from 0) whose recoil valves stay open. Without ``isolation``, no gas bottles
+    are shut off.
     """
 
     oil_density: Annotated[u.Density, POSITIVE]
@@ -95,7 +96,7 @@ class Disconnect(Strict):
     ``valve`` is given. The tensioners act as before the disconnect, unless ``recoil_valve`` is given. By
     default, the contents stay in the riser after a disconnect. With the key ``drain``, the contents flow out
     of the riser after a disconnect. Without ``stack``, the lower marine riser package (LMRP) can move through
-    the blow-out preventer (BOP) stack without contact; if this happens, a warning appears.
+    the blow-out preventer (BOP) stack without contact, and a warning appears.
     """
 
     at: Annotated[u.Time, POSITIVE]

@@ -17,7 +17,7 @@ from riserstudy.scene.tensioners import Tensioners
 class Areas(Strict):
     """Drag areas of a body: drag coefficient times area.
 
-    Without the key ``horizontal`` or ``vertical``, the drag of the body in this direction is zero.
+    Without the key ``horizontal`` or ``vertical``, the drag of the body in the missing direction is zero.
     """
 
     horizontal: Annotated[u.Area, NOT_NEGATIVE] | None = None
@@ -27,7 +27,7 @@ class Areas(Strict):
 class BodyAddedMass(Strict):
     """Added mass of a body.
 
-    Without the key ``horizontal`` or ``vertical``, the added mass of the body in this direction is zero.
+    Without the key ``horizontal`` or ``vertical``, the added mass in the missing direction is zero.
     """
 
     horizontal: Annotated[u.Mass, NOT_NEGATIVE] | None = None
@@ -38,17 +38,17 @@ class Body(Strict):
     """A concentrated mass, such as a lower marine riser package (LMRP) or a tension ring.
 
     Give the submerged weight of the body, or give its displaced volume or the density of its material. From
-    the volume or the density, the engine computes the submerged weight with the mass and gravity. If the end
-    of the unstretched riser with the body is at or above the water surface, the computed weight of the body
-    is its weight in air. The weight, the drag and the added mass of a body are zero if they are not given. In
-    waves, the accelerating water exerts a force on the body, in proportion to the sum of the mass of
-    displaced water and the added mass. If the displaced volume of the body is not given, the engine computes
-    the volume from the mass and the ``submerged_weight`` of the body. Without ``centre_below``, the body is a
-    point at the riser's end. The key ``centre_below`` is the distance from the riser's lower end down to the
-    centre of the body. With ``centre_below``, the body turns rigidly with the riser's lower end. The key
-    ``rotary_inertia``, by default zero, is the moment of inertia about axes through the body's centre that
-    are perpendicular to the riser. With ``centre_below``, the engine represents the body by two point masses:
-    one at the riser's lower end, and one below the riser, at the body's centre of percussion. With
+    the volume or the density of the body, the engine computes its submerged weight with the mass and gravity.
+    If the end of the unstretched riser with the body is at or above the water surface, the computed weight of
+    the body is its weight in air. The weight, the drag and the added mass of a body are zero if they are not
+    given. In waves, the accelerating water exerts a force on the body, in proportion to the sum of the mass
+    of displaced water and the added mass. If the displaced volume of the body is not given, the engine
+    computes the volume from the mass and the ``submerged_weight`` of the body. Without ``centre_below``, the
+    body is a point at the riser's end. The key ``centre_below`` is the distance from the riser's lower end
+    down to the centre of the body. With ``centre_below``, the body turns rigidly with the riser's lower end.
+    The key ``rotary_inertia``, by default zero, is the moment of inertia about axes through the body's centre
+    that are perpendicular to the riser. With ``centre_below``, the engine represents the body by two point
+    masses: one at the riser's lower end, and one below the riser, at the body's centre of percussion. With
     ``centre_below``, the arclengths in results start at the body's centre of percussion. The arclengths of
     ``stations`` in ``analysis.output`` still start at the riser's lower end.
     """
@@ -181,14 +181,14 @@ class TelescopicJoint(Strict):
     """Telescopic joint above the tension ring: it slides without resistance, and carries shear and bending.
 
     The engine neglects forces of the water on the telescopic joint. A warning appears if more than half of
-    the joint is below the water surface. The key ``length`` is the distance from the tension ring to the
-    upper end of the telescopic joint with the platform at rest. Its outer and inner barrel bend together, as
-    one beam. The key ``tension`` is an additional constant pull of tensioners along the joint. Without the
-    key ``stop``, the telescopic joint has no end stops. Without stops, a warning appears if the telescopic
-    joint becomes shorter than half of ``length`` or longer than twice ``length``. Include the mass of the
-    outer barrel in ``top.body`` at the tension ring; the inner barrel moves with the platform. The stops of
-    the joint (``stop``) and the stops of the tensioners (``tensioners.stroke``) are separate, and a scene can
-    have both.
+    the telescopic joint is below the water surface. The key ``length`` is the distance from the tension ring
+    to the upper end of the telescopic joint with the platform at rest. Both barrels of the joint bend
+    together, as one beam. The key ``tension`` is an additional constant pull of tensioners along the joint.
+    Without the key ``stop``, the telescopic joint has no end stops. Without stops, a warning appears if the
+    telescopic joint becomes shorter than half of ``length`` or longer than twice ``length``. Include the mass
+    of the outer barrel in ``top.body`` at the tension ring; the inner barrel moves with the platform. The
+    stops of the joint (``stop``) and the stops of the tensioners (``tensioners.stroke``) are separate, and a
+    scene can have both.
 
     By default, the stroke of the telescopic joint and the positions of its stops are measured from
     ``length``. With ``mid_stroke: riser in equilibrium``, the stroke of the telescopic joint is zero when the

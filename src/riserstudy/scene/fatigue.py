@@ -111,10 +111,10 @@ class StandardCurve(Strict):
 class Detail(Strict):
     """A detail whose fatigue damage is computed: welds of the wall, a connector, a weld of the wellhead.
 
-    The key ``at`` gives the sections of the riser with a fatigue detail, in the same form as the key ``at``
-    in ``limits``. By default, all sections have the fatigue detail. The key ``face`` selects the inner or
-    outer face of the wall. The engine computes the stress due to wall tension and bending at the selected
-    face. For a detail at one end of a section, give ``stress_per_moment`` instead of ``face``. The key
+    The key ``at`` gives the sections of the riser with a fatigue detail, in the form of the key ``at`` in
+    ``limits``. By default, all sections have the fatigue detail. The key ``face`` selects the inner or outer
+    face of the wall. The engine computes the stress due to wall tension and bending at the selected face. For
+    a detail at one end of a section, give ``stress_per_moment`` instead of ``face``. The key
     ``stress_per_moment`` is the stress in the detail divided by the bending moment at this end of the
     section. For example, ``stress_per_moment: 0.02 MPa/kN/m`` means 0.02 MPa for each kN m. With
     ``stress_per_moment``, the stress due to tension is neglected. The engine multiplies the computed nominal
@@ -157,7 +157,7 @@ class Fatigue(Strict):
     The key ``angles`` is the number of places around the wall for which the engine computes damage. The first
     of the places around the wall is on the side of the positive x axis. Between two neighbouring places
     around the wall, the damage can be larger than at both places, by a factor of at most cos(pi / angles)^-m.
-    The exponent m in this factor is the exponent of the S-N curve.
+    The exponent m of the largest ratio is the exponent of the S-N curve.
     """
 
     angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]

@@ -135,7 +135,7 @@ class Centre(Strict):
 
     Without ``x`` and ``y``, the centre of rotation is vertically above the well, even if the riser's top has
     an ``offset``. If the top has an ``offset``, usually set ``x`` to this offset. The key ``position`` also
-    moves the centre.
+    moves the centre of rotation.
     """
 
     x: u.Length | None = None
@@ -160,8 +160,8 @@ class Platform(Strict):
     of the vessel, and the centre of rotation drifts with the vessel. Phases of response amplitude operators
     (RAOs) are evaluated at the initial position of the vessel, even if the vessel drifts. A run prints a
     warning if the vessel drifts by more than a tenth of the wavelength in the direction of the waves of the
-    scene. With a ``vessel``, the engine refuses the key ``cruise``, and surge or sway in ``position``; give
-    the initial position of the vessel by ``top.offset`` instead.
+    scene. With a ``vessel``, the engine refuses the key ``cruise``, and surge or sway in ``position``; the
+    key ``top.offset`` gives the initial position of the vessel.
 
     Response amplitude operators (RAOs) refer to a hull along x. With RAOs, the engine therefore refuses yaw
     in ``position``, and a ``vessel`` whose heading is not along x.
@@ -223,10 +223,10 @@ TURN = math.tau * (1.0 + 1e-9)  # rad, a full turn with room for rounding
 class Point(Strict):
     """One point of a current profile, at an elevation, or at a depth below the mean water level.
 
-    Two points of a current profile at the same elevation or depth define a jump of the speed. Points by
-    elevation are listed upwards: the first of two equal elevations gives the speed below the jump. Points by
-    depth are listed downwards: the first of two equal depths gives the speed above the jump. Points without
-    ``direction`` have the heading of the current.
+    Two points of a current profile at equal elevations or depths define a jump of the speed. Points by
+    elevation are listed upwards: the first of two points at one elevation gives the speed below the jump.
+    Points by depth are listed downwards: the first of two points at one depth gives the speed above the jump.
+    Points without ``direction`` have the heading of the current.
     """
 
     elevation: u.Length | None = None
@@ -253,11 +253,11 @@ def _within_a_turn(name: str, angle: float | None) -> None:
 class Shape(Strict):
     """A current profile by a formula, from the seabed to the surface, with the speed at the surface.
 
-    The relative speed is the speed divided by ``surface_speed``. With ``shape: power``, the relative speed is
-    (height above the seabed / water depth)^power. With ``shape: exponential``, the relative speed is
-    exp(-depth below the surface / scale). With ``shape: layer``, the speed is uniform down to the depth
-    ``layer`` below the surface, then decreases linearly to zero at the depth ``vanishes``. By default, the
-    key ``water`` gives the elevations of seabed and surface.
+    The relative speed of the current is the speed divided by ``surface_speed``. With ``shape: power``, the
+    relative speed is (height above the seabed / water depth)^power. With ``shape: exponential``, the relative
+    speed is exp(-depth below the surface / scale). With ``shape: layer``, the speed is uniform down to the
+    depth ``layer`` below the surface, then decreases linearly to zero at the depth ``vanishes``. By default,
+    the key ``water`` gives the elevations of seabed and surface.
     """
 
     shape: Literal["uniform", "power", "exponential", "layer"]
@@ -298,7 +298,7 @@ class Combined(Strict):
 class Current(Strict):
     """Steady current in the sea.
 
-    By default, the current flows along x, and acts from the start of the run without a ramp. The key
+    By default, the current flows along x, and acts from the start of a run without a ramp. The key
     ``headings`` states whether the headings of a current are directions that the current flows to
     (``towards``, the default) or comes from (``from``). The key ``headings`` also applies to the
     ``direction`` of points of the profile. Give a ``direction`` at all points of a current profile, or at no

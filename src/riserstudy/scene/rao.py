@@ -116,7 +116,7 @@ class Response(Strict):
     RAOs are mirrored in the x-z plane. With ``symmetry: sides and ends``, the RAOs are also mirrored in the
     y-z plane. The key ``beyond`` defines the response of the platform to waves with periods outside the range
     of the RAOs. With ``beyond: hold``, the engine uses the RAOs at the nearest end of the range of periods.
-    With ``beyond: zero``, the platform does not respond to waves outside this range. By default (``beyond:
+    With ``beyond: zero``, the platform does not respond to waves outside the range. By default (``beyond:
     refuse``), the engine refuses waves with periods outside the range of the RAOs. A warning states the share
     of the wave energy outside the range of the RAOs. By default, the platform responds to the wave of the
     scene, without a ramp, in all motions for which RAOs are given. A wave that is given in ``response``

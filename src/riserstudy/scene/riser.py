@@ -21,7 +21,7 @@ RIGID = 1e3  # ratio of the bending stiffness of a rigid body to that of the sec
 class CoefficientAt(Strict):
     """A drag coefficient at an elevation.
 
-    In a table of drag coefficients, two entries at the same elevation define a jump of the coefficient.
+    In a table of drag coefficients, two entries at one elevation define a jump of the coefficient.
     """
 
     elevation: u.Length
@@ -108,10 +108,10 @@ class InLineExcitation(Strict):
 
     The amplitude of the varying drag per length is C_x rho D / 2 times the squared flow speed. In the formula
     of the varying drag, C_x is the key ``coefficient``, rho the density of the water, and D the diameter. The
-    value of C_x is unknown; values of 0.1 to 1 are plausible. The key ``frequencies`` lists the lowest, the
-    in-phase and the highest frequency of the varying drag, as multiples of flow speed divided by diameter.
-    Frequencies along the flow are about twice the frequencies across the flow. The values 0.22, 0.36 and 0.52
-    of ``frequencies`` are assumptions, each ±25 %.
+    coefficient of the varying drag is unknown; values of 0.1 to 1 are plausible. The key ``frequencies``
+    lists the lowest, the in-phase and the highest frequency of the varying drag, as multiples of flow speed
+    divided by diameter. Frequencies along the flow are about twice the frequencies across the flow. For the
+    varying drag, ``frequencies`` of 0.22, 0.36 and 0.52 are assumptions, each ±25 %.
     """
 
     coefficient: Annotated[float, POSITIVE]
@@ -135,8 +135,8 @@ class VortexInducedVibration(Strict):
     The key ``coefficient`` is the coefficient C_v; the published value of C_v is 1.2. The key ``frequencies``
     lists the lowest, the in-phase and the highest frequency of the lift force, as multiples of flow speed
     divided by diameter. At the in-phase frequency, lift force and riser velocity are in phase. The published
-    values of ``frequencies`` are 0.11, 0.18 and 0.26. The engine computes running mean squares of the motion,
-    over the time in which the water flows a distance of ``memory`` diameters, for example 20. The key
+    ``frequencies`` of the lift force are 0.11, 0.18 and 0.26. The engine computes running mean squares of the
+    motion, over the time in which the water flows a distance of ``memory`` diameters, for example 20. The key
     ``seed`` determines the initial phases of the lift force, which vary smoothly along the riser. The key
     ``ramp`` is the time over which the lift force increases from zero to its full amplitude. The default of
     ``ramp`` is ten periods of vortex shedding in the fastest current. The key ``in_line`` adds an excitation
@@ -217,24 +217,24 @@ class Section(Strict):
     no bending moment. Give ``mass``, or ``wall_density``, from which the engine computes the mass. Without
     ``mass`` and ``wall_density``, the mass of a section is zero. If at least one section has a shear modulus,
     the torsion of the riser resists the yaw of a vessel, and sections without a shear modulus are rigid in
-    torsion. Other properties that are not given, such as drag and contents, are zero.
+    torsion. Other section properties that are not given, such as drag, are zero.
 
     The key ``submerged_weight`` is the weight of the pipe with everything fixed to it, minus the weight of
     the water that the *outer* surface displaces. The key ``submerged_weight`` does not include the weight of
-    ``contents``. An example is a bare steel pipe with an outer diameter of 21 in, an inner diameter of 19 in
-    and a mass of 318.2 kg/m. The example pipe has a submerged weight of 874.7 N/m in sea water of 1025
-    kg/m^3, with a gravity of 9.81 m/s^2. If the example pipe is full of mud of 1200 kg/m^3, the key
-    ``contents`` adds 2153.4 N/m. If the example pipe is full of sea water, give a ``submerged_weight`` of
-    874.7 N/m with ``contents`` of 1025 kg/m^3. Without ``contents``, the pipe full of sea water has a
-    ``submerged_weight`` of 2714.1 N/m, including 1839.4 N/m of water inside the pipe. If a section has no
-    ``submerged_weight``, the engine computes the submerged weight from mass, diameters, gravity and water
-    density. A section without ``submerged_weight`` must therefore have an inner diameter and ``contents``;
-    otherwise the engine refuses the scene. For a section wholly above the water, ``submerged_weight`` is the
-    weight in air. If a section crosses the water surface, and has no ``submerged_weight``, or has ``modules``
-    or ``lines``, the engine divides the section at the surface. In results, the upper part of a divided
-    section is named ``<name>, above water``. If a divided section has a given ``submerged_weight``, the
-    engine adds the missing buoyancy to the weight of the part above the water. The missing buoyancy is the
-    weight of water in the volume of the outer diameter.
+    ``contents``. An example of a submerged weight is a bare steel pipe with an outer diameter of 21 in, an
+    inner diameter of 19 in and a mass of 318.2 kg/m. The example pipe has a submerged weight of 874.7 N/m in
+    sea water of 1025 kg/m^3, with a gravity of 9.81 m/s^2. If the example pipe is full of mud of 1200 kg/m^3,
+    the key ``contents`` adds 2153.4 N/m. If the example pipe is full of sea water, give a
+    ``submerged_weight`` of 874.7 N/m with ``contents`` of 1025 kg/m^3. Without ``contents``, the pipe full of
+    sea water has a ``submerged_weight`` of 2714.1 N/m, including 1839.4 N/m of water inside the pipe. If a
+    section has no ``submerged_weight``, the engine computes the submerged weight from mass, diameters,
+    gravity and water density. A section without ``submerged_weight`` must therefore have an inner diameter
+    and ``contents``; otherwise the engine refuses the scene. For a section wholly above the water,
+    ``submerged_weight`` is the weight in air. If a section crosses the water surface, and has no
+    ``submerged_weight``, or has ``modules`` or ``lines``, the engine divides the section at the surface. In
+    results, the upper part of a divided section is named ``<name>, above water``. If a divided section has a
+    given ``submerged_weight``, the engine adds the missing buoyancy to the weight of the part above the
+    water. The missing buoyancy is the weight of water in the volume of the outer diameter.
 
     The key ``buoyancy_lift``, the net lift of buoyancy modules in water, has no effect on the simulation,
     because ``submerged_weight`` already includes the lift. Only the minimum tension formula of the command

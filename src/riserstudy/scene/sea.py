@@ -59,8 +59,8 @@ class RegularWave(Swell, Wave):
     phase 0 and travels along x. By default, a regular wave acts from t = 0 without a ramp, on a riser in
     static equilibrium. The key ``above_mean_level`` defines the water velocities above the mean level:
     ``none`` (zero), ``constant`` (the velocity at the mean level), or ``stretched`` (Wheeler's stretched
-    profile). A wave that is higher than 0.142 L tanh(k d) would break, and causes a warning. In the formula
-    of the breaking height, L is the length of the wave, k its wave number and d the depth of the water.
+    profile). A wave that is higher than 0.142 L tanh(k d) would break, and causes a warning, with the
+    wavelength L, the wave number k and the water depth d.
     """
 
 
@@ -88,7 +88,7 @@ class IrregularSea(Storm, Wave):
 
     The key ``components`` is the number of regular waves in the sum. The key ``seed`` selects one set of
     random phases. By default, the waves travel along x, and act from t = 0 without a ramp, on a riser in
-    static equilibrium. The key ``above_mean_level`` has the same meaning as in the section RegularWave.
+    static equilibrium. The section RegularWave explains the key ``above_mean_level``.
     """
 
 

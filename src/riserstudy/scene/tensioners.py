@@ -46,8 +46,8 @@ class Gas(Chamber):
     """One gas chamber per cylinder, with the pull F = A P (V / (V - A reach))^k - A outside.
 
     In the formula of the pull F, A is the area, k the exponent, and P and V are pressure and volume at
-    mid-stroke. In this formula, ``reach`` is the extension of the cylinder from mid-stroke, and ``outside``
-    is the external pressure.
+    mid-stroke. In the formula of the pull F, ``reach`` is the extension of the cylinder from mid-stroke, and
+    ``outside`` is the external pressure.
     """
 
     exponent: Annotated[float, Field(gt=1)]
@@ -199,7 +199,7 @@ class Failing(Strict):
 class Tensioners(Strict):
     """Equal tensioner cylinders between tension ring and deck.
 
-    Damping and stops of the cylinders are optional.
+    Damping and stops of the tensioner cylinders are optional.
 
     The key ``mid_stroke`` selects the state of the riser in which all cylinders are at mid-stroke: either the
     unstretched riser, or the equilibrium with the tension that the cylinders have at mid-stroke. In either

@@ -56,8 +56,8 @@ class Turning(Strict):
     In the formula of the moment, psi is the present yaw angle of the vessel, and psi_c is ``command``, the
     commanded yaw angle. The yaw angles psi and psi_c are measured from the vessel's initial heading. In the
     formula of the moment, G is the key ``gain``, and D is the key ``velocity_gain``. Without ``command``, the
-    commanded yaw angle is zero. Without ``velocity_gain``, the thrusters do not damp the yaw. Without
-    ``saturation``, the moment of the thrusters is unlimited.
+    commanded yaw angle is zero. Without ``velocity_gain``, the thrusters do not damp the yaw of the vessel.
+    Without ``saturation``, the moment of the thrusters is unlimited.
     """
 
     gain: Annotated[u.RotationalStiffness, NOT_NEGATIVE]

@@ -18,7 +18,7 @@ class Water(Strict):
     Without the key ``water``, a scene has no drag, added mass, current or waves.
 
     Waves require the elevations ``surface`` and ``seabed``. A current profile by depth requires ``surface``,
-    and a current profile by a formula requires ``surface`` and ``seabed``, unless the profile gives these
+    and a current profile by a formula requires ``surface`` and ``seabed``, unless the profile gives both
     elevations.
     """
 
