@@ -45,8 +45,8 @@ class Limit(Strict):
     ``tensioner_force`` and ``largest_stress``. In a scene with a disconnect, the outputs ``overpull`` and
     ``lmrp_clearance`` can also have a limit. The page on variables of datasets explains the outputs. The
     output ``largest_stress`` neglects the pressures of contents and sea; ``von_mises_stress`` includes these
-    pressures. A stress range cannot have a limit; the key ``fatigue`` checks stress ranges. The clearance of
-    the riser in a moonpool (an opening through the hull) also cannot have a limit.
+    pressures. A stress range cannot have a limit; the key ``fatigue`` computes damage from stress ranges. The
+    clearance of the riser in a moonpool (an opening through the hull) also cannot have a limit.
 
     The key ``mode`` states in which operation a limit must be met. A limit of the mode ``drilling`` applies
     only while drilling. A limit of the mode ``connected`` applies as long as the riser is connected, with or
