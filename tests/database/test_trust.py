@@ -151,7 +151,7 @@ def test_the_size_of_what_goes_is_told_before_anything_is_asked(command, monkeyp
     assert code == 1
     assert answers == ["remove 3 files?"]
     assert "damaged, or of another engine version or file format: 3 files" in out
-    assert "of this engine version, but not used by a study here: 1 file, " in out
+    assert "of this engine version, but not used by any study in this folder: 1 file, " in out
     assert f"needed: {len(needed)} points" in out
     assert points() == every
     assert gone > 0
@@ -169,7 +169,7 @@ def test_runs_in_sea_states_are_said_to_be_among_points_of_no_study(command, sea
         tree["seas"] = {"years": about}
         yaml.dump(tree, path)
     out = command("prune", "--yes")[1]
-    assert ("these may be runs in sea states of plain/years; without them" in out) == seas
+    assert ("the unused points may be runs in sea states of plain/years; if removed" in out) == seas
 
 
 def test_points_of_old_engines_go_and_all_that_studies_need_stays(command):

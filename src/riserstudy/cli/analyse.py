@@ -150,8 +150,8 @@ def modes(
     estimates the errors of the frequencies from two finer meshes, with two and four times as many
     segments. More segments (``analysis.mesh.elements``) give smaller errors. The modes neglect that
     tensioner cylinders also resist a rotation of the tension ring. The estimated errors do not include
-    the effect of this resistance. For six rigs, the resistance of the cylinders changed the frequencies
-    by 0.03 to 0.16 %.
+    the effect of the cylinders' resistance. For six rigs, the resistance of the cylinders changed the
+    frequencies by 0.03 to 0.16 %.
     """
     from rich.console import Console
     from rich.table import Table

@@ -62,8 +62,8 @@ def compare(
     outside the pipe, computed from the scene. The command ``compare`` also reads time histories and range
     graphs of OrcaFlex, such as `Effective tension (kN)` over `Arc length (m)`. With the package `qats`
     (`pip install "riserstudy[formats]"`), ``compare`` reads time series of SIMA, RIFLEX, Matlab and
-    others. For each time series of these programs, --column must define the quantity, the place and the
-    unit.
+    others. For each time series that is read with `qats`, --column must define the quantity, the place
+    and the unit.
     """
     from riserstudy.dataset.comparison import compared, difference
     from riserstudy.dataset.open import open_dataset

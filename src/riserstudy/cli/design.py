@@ -202,7 +202,7 @@ def viv(
     shed = found["shedding_frequency"].values
     print(
         f"vortices are shed at {shed.min():.3g} to {shed.max():.3g} Hz, for a Strouhal number of "
-        f"{strouhal:g}; the table depends on reduced velocities, not on this number"
+        f"{strouhal:g}; the table depends on reduced velocities, not on the Strouhal number"
     )
     if any(section.viv for section in file.resolved().riser):
         print(f"keys `viv` of sections are not used: lift of {lift:g} can act on the whole riser in water")
@@ -226,5 +226,5 @@ def _show_modes(found: xr.Dataset, csv: Path | None) -> None:
     if rows:
         show(table, csv)
     else:
-        print("no mode may lock in")
+        print("no mode can lock in")
         write_table(table, csv)  # which replaces the table of another current

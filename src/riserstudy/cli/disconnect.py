@@ -107,7 +107,7 @@ def watch_circles(
     for one in mode or []:
         if one.value not in limited:
             why = "no limit of the scene has this mode of operation"
-            raise InputError("--mode", one.value, why, "choose another mode, or add such a limit")
+            raise InputError("--mode", one.value, why, "choose another mode, or add a limit with this mode")
     modes = [one.value for one in Mode if one.value in limited and (not mode or one in mode)]
     dataset = simulated(file)
     from riserstudy.study.in_sea import one_sea

@@ -169,17 +169,17 @@ def downtime(
     For future years, ``downtime`` predicts a range of workable hours by Student's t-distribution, from
     the workable hours of each complete year of the record. The option --persistence sets how similar
     consecutive years are. A weather window is an uninterrupted period of workable hours; a gap in the
-    record ends it. If a gap is before the start of the next weather window, only a lower bound of the
+    record ends the window. If a gap is before the start of the next weather window, only a lower bound of the
     waiting time is known.
 
     With the option --resume, operations that have stopped wait until the limits of --resume are also met. At
     the start of the record and after a gap, operations are stopped.
 
     With the option --scene, an hour is workable only if the limits of the scene are also met. The command
-    ``downtime`` then simulates the riser in some sea states of the record, and interpolates the response
-    of the riser between them. The command ``downtime`` adds simulated sea states until the error of the
-    interpolation is within the tolerance --error. Finally, ``downtime`` checks the interpolation by
-    simulations of other sea states.
+    ``downtime`` simulates the riser in some sea states of the record, and interpolates the response of
+    the riser between the simulated sea states. The command ``downtime`` adds simulated sea states until
+    the error of the interpolation is within the tolerance --error. Finally, ``downtime`` checks the
+    interpolation by simulations of further sea states.
     """
     from riserstudy.seas.hours import check_resumes, idle_limits, sea_limit
     from riserstudy.seas.record import check_windows
@@ -192,11 +192,11 @@ def downtime(
     }  # fmt: skip
     refuse(scene, limit, with_scene, {"--hold-back": hold_back})
     if vary and (output or plot or period or window):
-        allowed = "omit --output, --plot, --return-period and --window (--csv is possible)"
-        found = f"{vary[0]!r} cannot be combined with these options"
+        allowed = "omit the other option (--csv is possible)"
+        found = f"{vary[0]!r} cannot be combined with --output, --plot, --return-period or --window"
         raise InputError("downtime", "--vary", found, allowed)
     if vary and units:
-        raise InputError("downtime", "--units", "has no effect on the table of --vary", "omit it")
+        raise InputError("downtime", "--units", "has no effect on the table of --vary", "omit --units")
     limits = [sea_limit(text) for text in limit or []]
     resumes = [sea_limit(text, "--resume") for text in resume or []]
     check_resumes(limits, resumes)
@@ -269,8 +269,8 @@ def refuse(
     if not (scene or limit):
         raise InputError("downtime", "--limit", "missing", "give limits on the sea, or --scene")
     for options, fits, allowed in (
-        (with_scene, scene is not None, "omit it, or give --scene"),
-        (without, scene is None, "omit it, or omit --scene"),
+        (with_scene, scene is not None, "omit the option, or give --scene"),
+        (without, scene is None, "omit the option, or omit --scene"),
     ):
         for name, value in options.items():
             if value and not fits:
@@ -300,7 +300,7 @@ def of_the_sea(
     print(f"{counted(found.rows, 'row')} of {found.interval:g} h; {lacking} without a value")
     for one in limits:
         if calm := int(one.calm(sea).sum()):
-            print(f"{counted(calm, 'row')} without waves or a {one.quantity.long_name} meet the limit on it")
+            print(f"{counted(calm, 'row')} without waves or a {one.quantity.long_name} meet the limit")
     for line in [*map(str, found.lost), *waiting(found), *found.notes]:
         print(line)
     mean = banded(found.mean_year(ahead.persistence))
@@ -347,7 +347,7 @@ def _directions(sectors: int | None, x_towards: str | None) -> Directions | None
     from riserstudy.seas.directions import Directions
 
     if (sectors is None) != (x_towards is None):
-        allowed = "give both, or neither"
+        allowed = "give both --sectors and --x-towards, or neither"
         raise InputError("downtime", "--sectors", "only one of --sectors and --x-towards is given", allowed)
     if sectors is None or x_towards is None:
         return None

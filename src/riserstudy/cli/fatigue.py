@@ -108,7 +108,7 @@ def fatigue(
             check_output(path, ("table",), reads, force, option)
     _check_apart({"--csv": csv, "--along": along, "--by-sea": by_sea})
     if scatter and seas:
-        raise InputError("--seas", str(seas), "--scatter is also given", "give only one of the two")
+        raise InputError("--seas", str(seas), "--scatter is also given", "give either --scatter or --seas")
     if gamma and not seas:
         found = f"{gamma:g} has no effect without --seas"
         raise InputError("fatigue", "--gamma", found, "add --seas, or omit --gamma")
@@ -157,7 +157,7 @@ def _check_apart(tables: dict[str, Path | None]) -> None:
         if path is None:
             continue
         if other := named.get(path.resolve()):
-            raise InputError(option, str(path), f"{other} writes to the same file", "name another file")
+            raise InputError(option, str(path), f"{other} also writes to this file", "name another file")
         named[path.resolve()] = option
 
 
@@ -184,7 +184,12 @@ def _summed(
         record = with_peak_period(record, gamma or gamma_of(dataset, place_of(at)) or USUAL_GAMMA)
         occurs = of_record(with_calm_periods(record), dataset, axes)
     elif axes:
-        raise InputError("--scatter", "", "missing for a study", "give a scatter table, or --seas RECORD")
+        raise InputError(
+            "--scatter",
+            "",
+            "the scatter table of a study is missing",
+            "give a scatter table, or --seas RECORD",
+        )
     else:
         occurs = Occurrence({}, np.ones(1), ("the sea state of the run, all year",))
     return over_years(dataset, occurs, place_of(at), calm)

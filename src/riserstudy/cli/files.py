@@ -23,7 +23,7 @@ class FirstColumn(StrEnum):
     FREQUENCY = "frequency"
 
 
-ONLY_WAMIT = "omit it; it is for .4 files of WAMIT"
+ONLY_WAMIT = "omit the option, which is only for .4 files of WAMIT"
 
 
 def draw(
@@ -185,5 +185,7 @@ def schema(
     from riserstudy.study.schemas import schemas
 
     if kind not in (known := schemas(own_chapters()) | {"claims": claims_schema}):
-        raise InputError("schema", kind, "this is not a kind of input file", f"use one of {', '.join(known)}")
+        raise InputError(
+            "schema", kind, "this name is not a kind of input file", f"use one of {', '.join(known)}"
+        )
     print(json.dumps(known[kind](), indent=2))

@@ -125,12 +125,12 @@ def envelope(
 
     At each offset, ``envelope`` computes the static equilibrium. To include a sea, ``envelope`` adds an
     allowance to the static value of each output. If the limit is a smallest allowed value, ``envelope``
-    subtracts the allowance instead. In nine of ten random realisations of the sea, the change due to
-    waves does not exceed the allowance. The command ``envelope`` computes the allowance by simulations in
-    the sea and in each current, at the offset of the scene and at the ends of the envelope. The allowance
-    applies to a sea that lasts as long as a simulation after its ramps, or as long as --exposure states.
-    For a limit on a mean value, the allowance is the average change of the mean due to waves. The exit
-    status is 4 if a limit could not be evaluated.
+    subtracts the allowance from the static value. In nine of ten random realisations of the sea, the
+    change due to waves does not exceed the allowance. The command ``envelope`` computes the allowance by
+    simulations in the sea and in each current, at the offset of the scene and at the ends of the
+    envelope. The allowance applies to a sea that lasts as long as a simulation after its ramps, or as
+    long as --exposure states. For a limit on a mean value, the allowance is the average change of the
+    mean due to waves. The exit status is 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)
@@ -140,7 +140,9 @@ def envelope(
     sea_states = [_sea(one) for one in sea or []]
     for option, given in (("--seeds", seeds), ("--exposure", exposure)):
         if given is not None and not sea_states:
-            raise InputError("envelope", option, "has no effect without --sea", "add --sea, or omit it")
+            raise InputError(
+                "envelope", option, "has no effect without --sea", "add --sea, or omit the option"
+            )
     storm = None if exposure is None else positive("--exposure", exposure, "s")
     _once("--current", current, [(speed,) for speed in speeds])
     _once("--sea", sea or [], sea_states)
@@ -159,7 +161,7 @@ def envelope(
     if seas:
         print(_allowed_for(run_of(file.resolved()), storm, seeds or SEEDS))
     for name, why in found.missing.items():
-        print(f"{name}: not evaluated: {why}; rows with this note leave this limit out")
+        print(f"{name}: not evaluated: {why}; rows with this note omit the limit")
     if found.missing:
         raise typer.Exit(4)
 
@@ -177,7 +179,7 @@ def _positive(towards: str) -> str:
 def _allowed_for(run: float, storm: float | None, seeds: int) -> str:
     """A line on the duration of the seas of the allowances and of the runs after their ramps (s)."""
     return (
-        f"allowances: nine of ten seas of {run if storm is None else storm:g} s do not exceed them, from "
+        f"nine of ten seas of {run if storm is None else storm:g} s do not exceed the allowances, from "
         f"{seeds} runs of {run:g} s in each sea and current, at up to three offsets"
     )
 
@@ -187,7 +189,7 @@ def _sea(text: str) -> tuple[float, float]:
     parts = [part.strip() for part in text.split(",")]
     if len(parts) != 2:
         allowed = "give a significant wave height and a peak period, such as '4 m, 10 s'"
-        raise InputError("--sea", text, "this is not a pair of values", allowed)
+        raise InputError("--sea", text, "the text is not a pair of values", allowed)
     return positive("--sea", parts[0], "m"), positive("--sea", parts[1], "s")
 
 
@@ -215,9 +217,7 @@ def _allowances(given: list[str] | None, limits: Sequence[Limit]) -> dict[str, f
             raise InputError(option, text, found, f"use one of {', '.join(sorted(used))}")
         added[name] = quantity(option, text, UNITS[name])
         if added[name] < 0.0:
-            raise InputError(
-                option, text, "the allowance is negative", "give its magnitude, also for a lower limit"
-            )
+            raise InputError(option, text, "the allowance is negative", "give the magnitude of the allowance")
     return added
 
 

@@ -149,7 +149,7 @@ def _run_of(source: Path) -> tuple[Any, Any]:
     dataset = open_dataset(source)
     if "point_key" in dataset:
         allowed = "give the dataset of one run; `riserstudy rerun` writes it for a point (--at, -o)"
-        raise InputError(source, "", "this is the dataset of a study with several runs", allowed)
+        raise InputError(source, "", "the dataset is from a study with several runs", allowed)
     return scene_of_point(dataset, {}), dataset
 
 
@@ -194,10 +194,10 @@ def statistics(
     check_output(output, ("table",), [dataset], force)
     if over and exposure:
         found = "has no effect with --over, which uses extremes over the whole duration"
-        raise InputError("--exposure", exposure, found, "omit one of the two")
+        raise InputError("--exposure", exposure, found, "omit --exposure or --over")
     if over in place_of(at):
-        found = "this is the axis of --over, of which all runs are used"
-        raise InputError("--at", over, found, "omit it from --at")
+        found = "the option --over uses all runs along this axis"
+        raise InputError("--at", over, found, "omit the axis from --at")
     begin = quantity("--start", start, "s", SUCH_AS)
     within = None if exposure is None else quantity("--exposure", exposure, "s", SUCH_AS)
     if exposure and not (within or 0.0) > 0.0:
@@ -232,7 +232,7 @@ def _warnings(scene: Resolved, begin: float, record: float, exposure: float | No
     if max(begin, (output and output.start) or 0.0) < scene.built_up * (1.0 - 1e-9):
         yield (
             f"ramps end at {scene.built_up:.4g} s, and the statistics include earlier "
-            f"times; leave these out by --start '{scene.built_up:.4g} s'"
+            f"times; omit times before the end of the ramps by --start '{scene.built_up:.4g} s'"
         )
     if math.isfinite(scene.lower_joint_until):
         yield (

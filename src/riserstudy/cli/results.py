@@ -107,7 +107,7 @@ def _check_csv(csv: Path | None, db: sqlite3.Connection, folder: Path, force: bo
 
     if csv is not None:
         if as_json:
-            raise InputError("--json", "", "has no effect with --csv", "give only one of the two")
+            raise InputError("--json", "", "has no effect with --csv", "give either --json or --csv")
         files = [folder / str(path) for (path,) in ask(db, "select path from files").rows]
         check_output(csv, ("table",), [folder / NAME, *files], force, "--csv")
 
@@ -163,7 +163,8 @@ def verify(folder: ResultsOption = IN_RESULTS) -> None:
     )
     if verdict.missing:
         print(
-            f"not in this store: {counted(verdict.missing, 'point')}; the datasets are complete without them"
+            f"not in this store: {counted(verdict.missing, 'point')}; "
+            "the datasets are complete without these points"
         )
     if wrong:
         raise typer.Exit(1)
@@ -187,7 +188,7 @@ def prune(
     A point is one stored simulation of a study. The command ``prune`` removes damaged points, and points
     of other engine versions or former file formats. The option ``--all`` also removes valid points that
     the studies in this folder do not need. Studies in other folders that use the same store may still
-    need these points.
+    need points that no study in this folder needs.
     """
     from riserstudy.database.ask import NAME
     from riserstudy.database.prune import unneeded
@@ -198,10 +199,14 @@ def prune(
     print(f"needed: {counted(superfluous.needed, 'point')}")
     old, strange = (counted(len(found), "file") for found in (superfluous.old, superfluous.strange))
     print(f"damaged, or of another engine version or file format: {old}, {size['old']:.1f} MB")
-    print(f"of this engine version, but not used by a study here: {strange}, {size['strange']:.1f} MB")
+    unused = "of this engine version, but not used by any study in this folder"
+    print(f"{unused}: {strange}, {size['strange']:.1f} MB")
     if superfluous.strange and superfluous.seas:
         of = ", ".join(superfluous.seas)
-        print(f"these may be runs in sea states of {of}; without them, the next change of it repeats them")
+        print(
+            f"the unused points may be runs in sea states of {of}; if removed, they are simulated again when "
+            f"{of} changes"
+        )
     going = [*superfluous.old, *(superfluous.strange if every else [])]
     if not going:
         print("nothing to remove")
@@ -285,7 +290,7 @@ def diff(
             table.add_row(name, variable, "" if why else f"{change:.2g}", why)
         console.print(table)
     print(f"{len({one.item for one in changed.graded})} of {changed.rows} numbers and claims changed")
-    apart = f"; {changed.apart} of them cannot be compared" if changed.apart else ""
+    apart = f"; {changed.apart} changed numbers and claims cannot be compared" if changed.apart else ""
     print(
         f"{len(changed.varied)} of {changed.variables} variables changed, "
         f"by {changed.largest:.2g} at most{apart}"

@@ -102,10 +102,10 @@ def seas(
 
     if record is None and near is not None:
         why = f"{near!r} has no effect on a synthetic record"
-        raise InputError("seas", "--near", why, "omit it, or give the file of a record")
+        raise InputError("seas", "--near", why, "omit --near, or give the file of a record")
     if record is not None and seed is not None:
         why = f"{seed} has no effect on the file of a record"
-        raise InputError("seas", "--seed", why, "omit it, or give --synthetic")
+        raise InputError("seas", "--seed", why, "omit --seed, or give --synthetic")
     place = _place(near) if near else None
     found = (
         made(synthetic or 1, 1 if seed is None else seed) if record is None else read_record(record, place)
@@ -137,7 +137,7 @@ def check_gamma(command: str, gamma: float | None, record: xr.Dataset) -> None:
     if gamma is None or ("peak_period" not in record and "zero_crossing_period" in record):
         return
     found = "the record has peak periods" if "peak_period" in record else "the record has no periods"
-    raise InputError(command, "--gamma", f"{gamma:g} has no effect, since {found}", "omit it")
+    raise InputError(command, "--gamma", f"{gamma:g} has no effect, since {found}", "omit --gamma")
 
 
 def _place(text: str) -> Place:

@@ -66,8 +66,8 @@ def run(
     """Simulate a scene and write its dataset.
 
     If the tolerance is not reached within the time limit --patience, ``run`` writes the best result so
-    far, with its estimated error and a warning. For such a result, the exit status is 0. If no run is
-    complete within this time limit, ``run`` writes nothing and the exit status is 3.
+    far, with its estimated error and a warning. If a result is written, the exit status is 0. If no run is
+    complete within the time limit, ``run`` writes nothing and the exit status is 3.
     """
     from riserstudy.simulation.simulate import seconds
 

@@ -33,7 +33,7 @@ BEGINNINGS = {
     ".xlsx": (b"PK\x03\x04",),
 }
 LOOKED_AT = 1000  # number of bytes of a file that are read to determine its kind
-OR_FORCE = "name another file, or add --force to replace this one"
+OR_FORCE = "name another file, or add --force to replace the existing file"
 
 ForceOption = Annotated[
     bool, typer.Option("--force", help="overwrite existing files, even a file that the command has read")

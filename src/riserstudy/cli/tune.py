@@ -44,7 +44,7 @@ def tune(
     """Find the cheapest mesh, time step and method with which all points of a study meet a tolerance.
 
     The command ``tune`` selects mesh, time step and time integration method at a few points (single
-    simulations) of the study, and checks this choice at other, random points.
+    simulations) of the study, and checks the selected settings at further, random points.
 
     If the study, its scene or its tables change during the tuning, ``tune`` writes nothing, and the exit
     status is 3.
@@ -58,8 +58,8 @@ def tune(
 
     check_tunable(one, points)
     if write and one.model.settings:
-        why = "with this line, each run of the study tunes it anyway"
-        remedy = "omit --write, or remove this line from the study"
+        why = "with the key `settings`, each run of the study also tunes the study"
+        remedy = "omit --write, or remove the key from the study"
         raise InputError(studies, f"studies.{one.name}.settings", why, remedy)
     compile_kernels(one.grid.file((0,) * len(one.axes)).resolved())
     found = tuned_of(one, accuracy, points, seed, notify)

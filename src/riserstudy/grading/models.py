@@ -45,7 +45,7 @@ class Checked(Strict):
     @model_validator(mode="after")
     def _reads_for_a_check(self) -> Self:
         if bool(self.check) != bool(self.reads):
-            raise Misfit("", "only one of check and reads is given", "give both, or neither")
+            raise Misfit("", "only one of check and reads is given", "give both check and reads, or neither")
         return self
 
     @property
@@ -117,7 +117,7 @@ class Item(Checked):
             )
         if (self.published is None) != (self.rounding is None):
             found = "only one of published and rounding is given"
-            raise Misfit("rounding", found, "give both, or neither")
+            raise Misfit("rounding", found, "give both published and rounding, or neither")
         if self.rounding and self.published and self.rounding > abs(self.published):
             raise Misfit(
                 "rounding",
@@ -132,7 +132,9 @@ class Item(Checked):
             )
         if sum(map(bool, (self.check, self.impossible, self.not_comparable))) != 1:
             raise Misfit(
-                "", "an item has exactly one of check, impossible and not_comparable", "give one of them"
+                "",
+                "an item has exactly one of check, impossible and not_comparable",
+                "give one of the three keys",
             )
         for name, reads in {"over": self.over, **self.further_cases}.items():
             if reads and set(reads) != set(self.reads):

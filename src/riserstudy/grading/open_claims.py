@@ -54,7 +54,7 @@ class Assumed(Strict):
     @model_validator(mode="after")
     def _base_is_inside(self) -> Self:
         if (self.range is None) == (self.options is None):
-            raise Misfit("", "range or options is required, not both", "give one of them")
+            raise Misfit("", "range or options is required, not both", "give either range or options")
         if self.options is not None and len({*self.options}) < len(self.options):
             raise Misfit(
                 "options",

@@ -29,7 +29,7 @@ class WordOfSize(Strict):
     @model_validator(mode="after")
     def _one_bound(self) -> Self:
         if (self.at_least is None) == (self.at_most is None):
-            raise Misfit("", "at_least or at_most is required, not both", "give one of them")
+            raise Misfit("", "at_least or at_most is required, not both", "give either at_least or at_most")
         return self
 
 
