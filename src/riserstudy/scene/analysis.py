@@ -47,8 +47,8 @@ class Mesh(Strict):
 class GeneralisedAlpha(Strict):
     """Implicit time integration (generalised-alpha) with the spectral radius rho_inf at high frequency.
 
-    If ``rho_inf`` is 1, the method itself dissipates no energy. With a smaller ``rho_inf``, the method damps
-    motions that are too fast for the time step.
+    If ``rho_inf`` is 1, the generalised-alpha method dissipates no energy. With a smaller ``rho_inf``, the
+    generalised-alpha method damps motions that are too fast for the time step.
     """
 
     rho_inf: Annotated[float, Field(ge=0, le=1)]

@@ -33,8 +33,8 @@ class Drag(Strict):
 
     With ``direction: horizontal``, only horizontal velocities cause drag, and the drag acts in x and y only.
     The drag coefficient is one number, or a table over elevation with linear interpolation. The engine
-    evaluates the table of drag coefficients at the present elevation of the moving, stretched pipe. Above and
-    below the elevations of the table, the drag coefficient has the value at the nearest end of the table.
+    evaluates the table of drag coefficients at the present elevation of the moving, stretched pipe. Outside
+    the elevations of a table of drag coefficients, the coefficient has the value at the nearest end.
     """
 
     coefficient: Coefficient | Annotated[list[CoefficientAt], Field(min_length=2)]
@@ -132,7 +132,7 @@ class VortexInducedVibration(Strict):
     riser. A section with ``viv`` must also have drag across the pipe, because drag limits the amplitude of
     the vibration. The engine simulates a scene with ``viv`` in three dimensions.
 
-    The key ``coefficient`` is the coefficient C_v; the published value of C_v is 1.2. The key ``frequencies``
+    The key ``coefficient`` is C_v of the lift force; its published value is 1.2. The key ``frequencies``
     lists the lowest, the in-phase and the highest frequency of the lift force, as multiples of flow speed
     divided by diameter. At the in-phase frequency, lift force and riser velocity are in phase. The published
     ``frequencies`` of the lift force are 0.11, 0.18 and 0.26. The engine computes running mean squares of the
@@ -232,9 +232,9 @@ class Section(Strict):
     and ``contents``; otherwise the engine refuses the scene. For a section wholly above the water,
     ``submerged_weight`` is the weight in air. If a section crosses the water surface, and has no
     ``submerged_weight``, or has ``modules`` or ``lines``, the engine divides the section at the surface. In
-    results, the upper part of a divided section is named ``<name>, above water``. If a divided section has a
-    given ``submerged_weight``, the engine adds the missing buoyancy to the weight of the part above the
-    water. The missing buoyancy is the weight of water in the volume of the outer diameter.
+    results, the part above the water is named ``<name>, above water``. If a divided section has a given
+    ``submerged_weight``, the engine adds the missing buoyancy to the weight of the part above the water. The
+    missing buoyancy is the weight of water in the volume of the outer diameter.
 
     The key ``buoyancy_lift``, the net lift of buoyancy modules in water, has no effect on the simulation,
     because ``submerged_weight`` already includes the lift. Only the minimum tension formula of the command

@@ -100,8 +100,9 @@ class WindDrift(Strict):
     turns further away from the wind. At the friction depth, depth_factor W / sqrt(sin latitude), the drift is
     opposite to its direction at the surface, with 1/23 of its speed at the surface. The key ``component``
     selects the part of the drift that acts on the riser: along the wind, across the wind, the magnitude, or
-    both parts. With ``component: both``, the heading of the current is the heading of the wind. The drift
-    turns to the right of the wind in the northern ``hemisphere``, and to the left in the southern hemisphere.
+    both parts. With ``component: both`` (both parts of the drift), the heading of the current is the heading
+    of the wind. The drift turns to the right of the wind in the northern ``hemisphere``, and to the left in
+    the southern hemisphere.
     """
 
     wind_speed: Annotated[u.Speed, POSITIVE]
