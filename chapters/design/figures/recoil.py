@@ -114,8 +114,8 @@ def recoil_histories(recoil: xr.Dataset, tension_ratio: float) -> Figure:
     for ax in (up, stroke):
         ax.set_xlabel("time (s)")
     highest = [float(one.sel(gas_pressure=p)["lift"].max()) for p in pressures]
-    panel_title(up, "LMRP, by tension setting")
-    panel_title(stroke, "cylinders, by tension setting")
+    panel_title(up, "LMRP lift, by tension setting")
+    panel_title(stroke, "cylinder stroke, by tension setting")
     change = "increases" if highest[-1] > highest[0] else "decreases"
     lifts = f"from {highest[0]:.1f} to {highest[-1]:.1f} m"
     headline(figure, f"A higher tension setting {change} the largest LMRP lift {lifts}")

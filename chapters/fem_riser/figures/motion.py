@@ -122,7 +122,7 @@ def fig04(motion: xr.Dataset) -> Figure:
     key = {
         "(a–c) lumped masses, last profile": Line2D([], [], **OTHER),
         f"(f) mean over a wave at mid-length, {height:g} m": Line2D([], [], **MEAN),
-        f"(f) {100 * SETTLED:g} % around the last value of this mean": Patch(color="0.92"),
+        f"(f) {100 * SETTLED:g} % around the last value of the mean": Patch(color="0.92"),
     }
     legend_below(figure, [*key.values()], [*key], 3)
     headline(figure, f"With the calibrated tide, the mid-length deflection is steady after {settled:.0f} s")
@@ -211,7 +211,7 @@ def tides(tides: xr.Dataset) -> Figure:
     axes[0].set_xlabel(TIME)
     axes[0].set_ylabel("ratio of the deflection to its last mean")
     time, back = settling_time(tides, SETTLED), 100.0 * reciprocates(tides, 0.0).value
-    axes[1].set_ylabel("decrease / last mean (%)")
+    axes[1].set_ylabel("decrease / last mean deflection (%)")
     for ax, title in zip(
         axes,
         ("deflection, colours as in (b, c)", "decrease after the maximum", "time to steady state"),

@@ -116,7 +116,7 @@ def coupling(coupling: xr.Dataset) -> Figure:
     axes[2].set_xlim(right=1.3 * float(iterations.max()))  # room for the numbers
     same = axes[2].axvline(1.0, zorder=3, **REFERENCE)
     axes[2].invert_yaxis()
-    axes[2].set_xlabel("ratio to one system,\nof iterations")
+    axes[2].set_xlabel("ratio of iterations\nto one system")
     key: dict[str, Any] = {str(line.get_label()): line for line in axes[0].lines}
     key["(c) one system"] = same
     apart = off["platform_surge"].max("time")

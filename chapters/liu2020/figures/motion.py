@@ -144,7 +144,7 @@ def baselines(
         "claim: the riser on tensioners\nlags under surge",
     )
     over, less = "displacement,\nwithout / with tensioners", (1.0 - smaller, 1.0 / (1.0 - smaller))
-    least_of = "least of 4 depths"
+    least_of = "smallest value of 4 depths"
     labels = (over, f"{over},\n{least_of}", f"lag of the riser\non tensioners (°),\n{least_of}")
     turn = float(np.rad2deg(later))
     same = (less, less, (-turn, turn))

@@ -198,7 +198,7 @@ def sea(storm: xr.Dataset) -> Figure:
         right.set_ylabel("share of larger peaks")
         right.set_xlabel(f"|{short} − mean| ({unit})")
         worst[short] = float(abs(swing).max() / swing.std())
-        panel_title(left, f"{short} around its peak")
+        panel_title(left, f"{short} around its largest peak")
         panel_title(middle, f"{short}, spectrum")
         left.set_xlabel(TIME)
         middle.set_xlabel("frequency (Hz)")

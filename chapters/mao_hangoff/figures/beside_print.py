@@ -16,7 +16,7 @@ from chapters.mao_hangoff.runs import distance, largest, misses_of_print
 from riserstudy.figures.style import GREY, PRINTED, headline, key_below, panel_title, panels
 
 MARKS = ("o", "s", "^", "D", "v", "P")
-NEAREST = "closest to all three numbers"
+NEAREST = "closest to all three values"
 HOLLOW: dict[str, Any] = {"ls": "none", "ms": 4.5, "mfc": "none", "mew": 0.9}
 STAR: dict[str, Any] = {"marker": "*", "ms": 10, "mec": "white", "mew": 0.8}  # the printed numbers
 RING: dict[str, Any] = {"color": "black", "marker": "o", "ms": 13, "mfc": "none", "ls": "none"}
@@ -72,8 +72,8 @@ def _name_nearest(axes: list[Axes], nearest: xr.Dataset) -> None:
     """Write the numbers of the nearest in the empty part of each panel."""
     x, moment, ratio = (float(nearest[name]) for name in ("x", "moment", "ratio"))
     texts = (
-        (f"nearest: {x:.1f} m, {moment:.0f} kN m", moment, (0.97, 0.05)),
-        (f"nearest: {x:.1f} m, ratio {ratio:.3f}", ratio, (0.97, 0.07)),
+        (f"closest: {x:.1f} m, {moment:.0f} kN m", moment, (0.97, 0.05)),
+        (f"closest: {x:.1f} m, ratio {ratio:.3f}", ratio, (0.97, 0.07)),
     )
     for ax, (text, y, place) in zip(axes, texts, strict=True):
         ax.annotate(

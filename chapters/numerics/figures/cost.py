@@ -149,7 +149,7 @@ def _runs(ax: Axes, accuracy: xr.Dataset) -> list[Named]:
     ax.set_xlim(left=ROOM * WIDEST)
     ax.set_xlabel("true error of displacement (%):\nmore accurate →")
     ax.set_ylabel("elapsed time of one run (s)")
-    compared = f";\nnumbers: time / time of {OURS} at {100 * COMPARED:g} %" if names[1:] else ""
+    compared = f";\nnumbers: time divided by the time of {OURS} at {100 * COMPARED:g} %" if names[1:] else ""
     ax.set_title(f"(b) time of a single run, {in_one_line(scene)}{compared}", loc="left", fontsize="small")
     return names
 

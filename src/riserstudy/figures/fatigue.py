@@ -42,13 +42,13 @@ def _along(ax: Axes, years: Years) -> None:
         ax.set_xlim(right=3.0 * most)
     ax.set_xlabel("factored damage a year (1/year)")
     ax.set_ylabel("arclength from the bottom (m)")
-    panel_title(ax, "Along the riser, largest around the wall")
+    panel_title(ax, "damage along the riser, largest around the wall")
 
 
 def _by_sea(figure: Figure, ax: Axes, years: Years) -> None:
     """Share of the damage over the first two axes, summed over others."""
     total = sum(sea.damage for sea in years.seas) or 1.0
-    panel_title(ax, f"By sea state, of {years.worst[years.governing].detail}")
+    panel_title(ax, f"damage by sea state, of {years.worst[years.governing].detail}")
     places = [sorted({sea.values[k] for sea in years.seas}) for k in range(len(years.axes))]
     if len(places) < 2:
         of_each = [

@@ -113,7 +113,7 @@ class Item(Checked):
             raise Misfit(
                 "published",
                 "a number has a published value, but a claim has none",
-                "add published for 'kind: number', or remove it for a claim",
+                "add published for 'kind: number', or remove published for a claim",
             )
         if (self.published is None) != (self.rounding is None):
             found = "only one of published and rounding is given"
@@ -213,7 +213,7 @@ class PublishedFile(Strict):
                     found = f"{other!r} is not the id of another number"
                     raise Misfit(f"{item.id}.together", found, f"use one of {', '.join(numbers)}")
                 if set(numbers[other].reads) != set(item.reads):
-                    found = f"{other!r} has other names in reads"
+                    found = f"the number {other!r} has different names in reads"
                     raise Misfit(f"{item.id}.together", found, "give both the same names in reads")
         return self
 
