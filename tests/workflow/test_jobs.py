@@ -34,7 +34,7 @@ def server(tmp_path_factory):
     folder = tmp_path_factory.mktemp("jobs")
     with listen(folder) as listener:
         number = listener.fileno()
-        command = [*JOBS[:2], "riserstudy.jobs.server", str(number), "not compiled"]
+        command = [*JOBS[:2], "riserstudy.jobs.server", str(number)]
         pipe = subprocess.PIPE
         process = subprocess.Popen(command, cwd=folder, stdin=pipe, pass_fds=[number])
     yield process
@@ -123,7 +123,7 @@ def test_the_jobs_of_a_killed_snakemake_end(folder, tmp_path):
     os.mkfifo(tmp_path / "source")
     with listen(tmp_path) as listener:
         number = listener.fileno()
-        command = [*JOBS[:2], "riserstudy.jobs.server", str(number), "not compiled"]
+        command = [*JOBS[:2], "riserstudy.jobs.server", str(number)]
         process = subprocess.Popen(command, cwd=tmp_path, stdin=subprocess.PIPE, pass_fds=[number])
     asker = ask(tmp_path, *JOIN, "joined", "source")
     until(psutil.Process(process.pid).children)

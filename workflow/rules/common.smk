@@ -93,7 +93,7 @@ use_one_thread()
 
 onstart:
     if workflow.local_exec:
-        start_server(PLAN.compiled, workflow.cores)
+        start_server(workflow.cores)
     elif workflow.is_main_process:
         try:
             refuse_quoted_python(sys.executable)

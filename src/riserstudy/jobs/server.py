@@ -48,7 +48,7 @@ WHEN_IDLE = ("riserstudy.study.write_study", "riserstudy.grading.grade")
 MANY = 8  # number of jobs from which it pays to load modules that may not be needed
 
 
-def serve(listener: socket.socket, compiled: Path) -> None:
+def serve(listener: socket.socket) -> None:
     """Fork a job for every request, until standard input ends."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the jobs and Snakemake handle an interrupt
     signal.signal(signal.SIGCHLD, note_ended)
@@ -56,8 +56,7 @@ def serve(listener: socket.socket, compiled: Path) -> None:
     gc.freeze()  # memory that a fork never changes stays shared
     jobs, waiting, kernels = 0, to_load_when_idle(), kernels_to_load()
     while True:
-        if not waiting and compiled.exists():
-            waiting, kernels = kernels, []
+        waiting += [kernels.pop(marker) for marker in list(kernels) if marker.exists()]
         may_load = waiting and jobs >= MANY
         ready, _, _ = select.select([listener, sys.stdin], [], [], 0.0 if may_load else None)
         if not ready:
@@ -113,12 +112,13 @@ def to_load_when_idle() -> list[Callable[[], object]]:
     return [*(partial(import_module, name) for name in WHEN_IDLE), engine_digest]
 
 
-def kernels_to_load() -> list[Callable[[], object]]:
-    """Return functions that load groups of compiled kernels."""
+def kernels_to_load() -> dict[Path, Callable[[], object]]:
+    """Return functions that load groups of kernels, by the marker which means that a group is compiled."""
+    from riserstudy.simulation.compile import marker
     from riserstudy.simulation.kernel_groups import GROUPS
     from riserstudy.simulation.warm_up import warm_up
 
-    return [partial(warm_up, group) for group in GROUPS]
+    return {marker(group): partial(warm_up, group) for group in GROUPS}
 
 
 def load(one: Callable[[], object]) -> None:
@@ -163,6 +163,4 @@ def end_if_abandoned(asker: socket.socket) -> None:
 
 
 if __name__ == "__main__":
-    # Number of the inherited socket, and the marker which means that all kernels are compiled.
-    number, marker_file = sys.argv[1:]
-    serve(socket.socket(fileno=int(number)), Path(marker_file))
+    serve(socket.socket(fileno=int(sys.argv[1])))  # number of the inherited socket

@@ -38,11 +38,10 @@ def refuse_quoted_python(python: str) -> None:
         )
 
 
-def start_server(compiled: str, cores: int) -> None:
+def start_server(cores: int) -> None:
     """Start the server process, from which jobs are forked; it ends when the present process ends.
 
-    On a system without forks each job starts by itself. ``compiled`` is the file whose existence means that
-    all kernels are compiled; ``cores`` is the number of cores that the jobs share.
+    On a system without forks each job starts by itself. ``cores`` is the number of cores that the jobs share.
     """
     os.environ[CORES] = str(cores)
     if not (forks() and hasattr(socket, "AF_UNIX")):
@@ -57,7 +56,7 @@ def start_server(compiled: str, cores: int) -> None:
         os.umask(others)
         listener.listen(128)
         number = listener.fileno()
-        command = [sys.executable, "-m", "riserstudy.jobs.server", str(number), compiled]
+        command = [sys.executable, "-m", "riserstudy.jobs.server", str(number)]
         server = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=log, stderr=log, pass_fds=[number])
     atexit.register(address.unlink, missing_ok=True)
     atexit.register(server.communicate)  # closes the server's input and waits for its end
