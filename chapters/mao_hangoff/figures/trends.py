@@ -18,10 +18,10 @@ LETTERS = 36  # most letters per line of a current's name above a panel
 #: points, of inputs whose lines nearly coincide: the later line is in front of the earlier
 WIDTHS = {"lmrp_mass": 3.0, "current_speed": 1.2}
 NAMES = {
-    "lmrp_mass": "LMRP {:.0f} to {:.0f} t, current against",
-    "current_speed": "current {:.1f} to {:.1f} m/s, along",
-    "platform_speed": "platform {:.1f} to {:.1f} kn, current along",
-    "riser_length": "riser {:.0f} to {:.0f} m, current against",
+    "lmrp_mass": "LMRP {:.0f} to {:.0f} t, opposing current",
+    "current_speed": "current {:.1f} to {:.1f} m/s, along the track",
+    "platform_speed": "platform {:.1f} to {:.1f} kn, current along the track",
+    "riser_length": "riser {:.0f} to {:.0f} m, opposing current",
 }
 
 

@@ -51,7 +51,7 @@ def unexpected(stability: xr.Dataset) -> list[Table]:
     columns = [map(str, bad[name].values) for name in ("case", "about", "expected", "finding")]
     rows = [[Cell(text) for text in row] for row in zip(*columns, strict=True)]
     about = "Expected and observed outcome of each case"
-    heads = ["Case", "What it is", "Expected", "Found"]
+    heads = ["Case", "Description", "Expected", "Found"]
     title = "Hard cases that did not end as expected"
     return [Table(title, about, heads, set(), rows, folded=False)] if rows else []
 

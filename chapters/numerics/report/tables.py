@@ -62,7 +62,7 @@ def hard_cases(stability: xr.Dataset) -> Table:
         "that is stable. Both time steps are for the mesh of the default accuracy. A dash means that no "
         "tested time step is accurate, or stable."
     )
-    columns = ["Case", "Family", "What it is", "Ended", "Verdict", "Error", "Estimate", *methods]
+    columns = ["Case", "Family", "Description", "Ended", "Verdict", "Error", "Estimate", *methods]
     return Table("Hard cases", about, columns, {*range(5, len(columns))}, rows)
 
 
