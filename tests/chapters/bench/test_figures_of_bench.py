@@ -35,7 +35,7 @@ def test_the_largest_moment_is_that_of_either_side_of_its_envelope():
 
 def test_equal_largest_moments_are_told_in_the_title():
     figure = surge(surging(50e3, -100e3), surging(99e3, -90e3))
-    assert headline(figure) == "Holding the top in height changes the tension, hardly the largest moment"
+    assert headline(figure) == "Holding the top's height changes the tension, but hardly the largest moment"
 
 
 def test_the_key_of_surge_is_within_the_figure():

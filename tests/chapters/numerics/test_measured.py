@@ -143,7 +143,9 @@ def test_a_request_is_judged_by_its_true_error_and_the_cheapest_that_errs_no_mor
     assert (
         section({"random_scenes": found})
         .sentences[0]
-        .startswith("2 random scenes were run with a tolerance of 1 %. The engine refused none of them")
+        .startswith(
+            "2 random scenes were run with a tolerance of 1 %. The engine refused none of the random scenes"
+        )
     )
 
 
@@ -166,7 +168,9 @@ def test_a_request_that_takes_long_is_a_row_that_says_so():
     assert not found["is_refused"].any()
     assert found["true"].isnull().all()
     said = section({"random_scenes": found}).sentences[0]
-    assert "refused none of them, and 2 could not be judged, because a run took too long or" in said
+    assert (
+        "refused none of the random scenes, and 2 could not be judged, because a run took too long or" in said
+    )
 
 
 def test_a_scene_without_a_usable_reference_is_not_judged_and_the_engine_does_not_refuse_it(monkeypatch):
@@ -177,7 +181,7 @@ def test_a_scene_without_a_usable_reference_is_not_judged_and_the_engine_does_no
     monkeypatch.setattr(module_of_random_scenes, "with_recomputed", lambda dataset, *_: dataset)
     found = random_scenes(only(MEASURED["random_scenes"], "families", CHANG), Setting(CONFIG, "preview", 1))
     said = section({"random_scenes": found}).sentences[0]
-    assert "refused none of them, and 2 could not be judged" in said
+    assert "refused none of the random scenes, and 2 could not be judged" in said
 
 
 def test_the_figure_of_energy_says_how_far_the_balance_is_off_and_who_dissipates():
