@@ -113,8 +113,8 @@ class Detail(Strict):
 
     The key ``at`` gives the sections of the riser with a fatigue detail, in the form of the key ``at`` in
     ``limits``. By default, all sections have the fatigue detail. The key ``face`` selects the inner or outer
-    face of the wall. The engine computes the stress due to wall tension and bending at the selected face. For
-    a detail at one end of a section, give ``stress_per_moment`` instead of ``face``. The key
+    face of the wall. For a fatigue detail, the engine computes the stress due to wall tension and bending at
+    this face. For a detail at one end of a section, give ``stress_per_moment`` instead of ``face``. The key
     ``stress_per_moment`` is the stress in the detail divided by the bending moment at this end of the
     section. For example, ``stress_per_moment: 0.02 MPa/kN/m`` means 0.02 MPa for each kN m. With
     ``stress_per_moment``, the stress due to tension is neglected. The engine multiplies the computed nominal
