@@ -18,8 +18,8 @@ NAMED = 0.45  # share of the riser's length, from its top, at which curves of Fi
 SPEEDS = (0.2, 0.6, 1.0)  # m/s, at the surface
 #: depth scale and drag coefficient that give 8765 N; config/studies/liu2020.yaml, statics_calibrated
 CALIBRATED = {
-    ALL: "50 m, drag coefficient 0.7, all cylinders",
-    ONE: "200 m, drag coefficient 1.11, one cylinder",
+    ALL: "depth scale 50 m, drag coefficient 0.7, all cylinders",
+    ONE: "depth scale 200 m, drag coefficient 1.11, one cylinder",
 }
 
 

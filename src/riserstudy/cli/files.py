@@ -93,7 +93,10 @@ def import_deck(
         partial.write_text(as_text(deck_scene, deck), "utf-8")
     for line in deck_scene.left_out:
         print(f"left out: {line}")
-    print(f"{output} is written. {len(deck_scene.left_out)} entries of the model are left out or differ")
+    print(
+        f"{output} is written. {len(deck_scene.left_out)} entries of the model are left out of "
+        "the scene or differ"
+    )
 
 
 def export_deck(

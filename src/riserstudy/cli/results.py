@@ -239,7 +239,7 @@ def crate(
             file=sys.stderr,
         )
     wrote(output)
-    print(f"{count} files; unpack it and run `snakemake --cores all` there to rerun the study")
+    print(f"{count} files; to rerun the study, unpack the archive and run `snakemake --cores all`")
 
 
 def _outdated(study: Path) -> list[str]:

@@ -176,7 +176,7 @@ def test_depths_and_drag_in_names_of_calibrated_currents_are_those_of_the_study(
     drags = {ALL: base["riser[0].drag.coefficient"], ONE: other["riser[0].drag.coefficient"]["calibrated"]}
     for name in (ALL, ONE):
         depth, drag = scales[name], f"{drags[name]:.3g}"
-        assert statics.CALIBRATED[name].startswith(f"{depth}, drag coefficient {drag},")
+        assert statics.CALIBRATED[name].startswith(f"depth scale {depth}, drag coefficient {drag},")
         assert f"exponential {depth}, drag coefficient {drag}" in static_shapes.CALIBRATIONS[name]
         assert to_hex(OF_CALIBRATION[name]) == statics.OF_PROFILE[f"exponential {depth}"]
 
