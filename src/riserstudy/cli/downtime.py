@@ -9,7 +9,15 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from riserstudy.cli.downtime_lines import Ahead, banded, held_back, show_hours, show_riser, waiting
+from riserstudy.cli.downtime_lines import (
+    Ahead,
+    banded,
+    held_back,
+    show_directions,
+    show_hours,
+    show_riser,
+    waiting,
+)
 from riserstudy.cli.shared import (
     CsvOption,
     PlotOption,
@@ -108,6 +116,15 @@ XTowardsOption = Annotated[
         metavar="ANGLE",
     ),
 ]
+ByDirectionOption = Annotated[
+    int | None,
+    typer.Option(
+        min=2,
+        max=36,
+        help="also print workable hours by the direction that waves come from, in this number of "
+        "equal sectors",
+    ),
+]
 SeedsOption = Annotated[
     int | None,
     typer.Option(min=1, help="number of runs of each sea state, with different random phases; default: 5"),
@@ -151,6 +168,7 @@ def downtime(
     hold_back: HoldBackOption = 0,
     settings: SetOption = None,
     vary: VaryOption = None,
+    by_direction: ByDirectionOption = None,
     period: ReturnOption = None,
     sectors: SectorsOption = None,
     x_towards: XTowardsOption = None,
@@ -181,6 +199,7 @@ def downtime(
     the error of the interpolation is within the tolerance --error. Finally, ``downtime`` checks the
     interpolation by simulations of further sea states.
     """
+    from riserstudy.seas.by_direction import check_directions
     from riserstudy.seas.hours import check_resumes, idle_limits, sea_limit
     from riserstudy.seas.record import check_windows
 
@@ -191,10 +210,10 @@ def downtime(
         "--error": error, "--most": most, "--cores": cores, "--units": units and units.value,
     }  # fmt: skip
     refuse(scene, limit, with_scene, {"--hold-back": hold_back})
-    if vary and (output or plot or period or window):
+    if vary and (output or plot or period or window or by_direction):
         allowed = "omit the other option (--csv is possible)"
-        found = f"{vary[0]!r} cannot be combined with --output, --plot, --return-period or --window"
-        raise InputError("downtime", "--vary", found, allowed)
+        others = "--output, --plot, --return-period, --window or --by-direction"
+        raise InputError("downtime", "--vary", f"{vary[0]!r} cannot be combined with {others}", allowed)
     if vary and units:
         raise InputError("downtime", "--units", "has no effect on the table of --vary", "omit --units")
     limits = [sea_limit(text) for text in limit or []]
@@ -203,10 +222,12 @@ def downtime(
     lengths = [positive("--window", one, "s") / 3600.0 for one in window or []]
     sea, years = _read(record), Ahead(ahead, persistence)
     check_windows(sea, window or [])
+    check_directions(sea, by_direction)
     for text in idle_limits(sea, [*limits, *resumes]):
         notify(f"warning: {text}")
     if not scene:
-        return of_the_sea(sea, limits, resumes, lengths, years, hold_back, csv, plot, record.name)
+        of_the_sea(sea, limits, resumes, lengths, years, hold_back, by_direction, csv, plot, record.name)
+        return
     directions = _directions(sectors, x_towards)
 
     def simulated(file: Any) -> Downtime:
@@ -224,6 +245,8 @@ def downtime(
         return show(varied(scene, settings or [], vary, simulated, years), csv)
     made = simulated(scene_of(scene, settings))
     show_riser(made, lengths, years, csv, units or UnitSystem.FIELD)
+    for mode in made.hours.modes:
+        show_directions(mode.hours, sea, by_direction, f"{mode.mode}: ")
     if period:
         _show_returns(made, period, units or UnitSystem.FIELD)
     _write(made, output, plot)
@@ -286,6 +309,7 @@ def of_the_sea(
     lengths: list[float],
     ahead: Ahead,
     hold_back: int,
+    by_direction: int | None,
     csv: Path | None,
     plot: Path | None,
     name: str,
@@ -307,6 +331,7 @@ def of_the_sea(
     print(f"workable: {found.share:.2%} of all rows; {mean} in a mean year")
     show_hours(found, lengths, ahead)
     show(found.by_month(), csv)
+    show_directions(found, sea, by_direction)
     if plot is not None:
         from riserstudy.figures.calendar import calendar
 

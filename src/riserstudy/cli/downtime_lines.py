@@ -67,6 +67,15 @@ def show_hours(found: Hours, lengths: list[float], ahead: Ahead, indent: str = "
             print(f"{indent}  {name:8} {mean:>6}  {p50:>6}  {p90:>6}  {one.open:5d}")
 
 
+def show_directions(found: Hours, record: xr.Dataset, sectors: int | None, of: str = "") -> None:
+    """Print workable hours by the direction that waves come from, if requested."""
+    from riserstudy.seas.by_direction import by_direction
+
+    if sectors:
+        print(f"{of}workable hours by the direction that waves come from:")
+        show(by_direction(found, record, sectors), None)
+
+
 def waiting(found: Hours) -> list[str]:
     """A line about rows that meet all limits before operations have resumed, if there are any."""
     if not found.waiting:
