@@ -71,7 +71,7 @@ class Drain(Strict):
 
     The key ``friction`` is the Darcy friction factor of the riser wall for draining contents. The key
     ``losses``, by default zero, is the pressure loss at the ends of the draining column, divided by the
-    velocity head.
+    velocity head at the lower end.
     """
 
     friction: Annotated[float, NOT_NEGATIVE]
