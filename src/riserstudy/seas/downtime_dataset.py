@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.dataset.limits import SURE
 from riserstudy.dataset.statistics import NOT_EXCEEDED
 from riserstudy.files.digests import engine_digest
 from riserstudy.records.numerals import newtons, percent
@@ -95,11 +96,16 @@ def _of_demands(parts: Sequence[Part]) -> Iterator[str]:
                 f"{name}: demands are those of runs minus {newtons(mud)}, the weight of the contents above "
                 "the riser's upper end"
             )
-    off = max(float(part.estimated.max()) for part in parts)
-    if off > 0.0:
+    errors = np.max([part.estimated for part in parts], axis=0)
+    if (off := float(errors.max())) > 0.0:
         own = has_own_mesh(riser.file) and not any(part.mesh for part in parts)
         kind = "mesh and step" if own else "accuracy"
-        yield f"with the scene's {kind}, demands have an estimated error of up to {off:.1%}"
+        worst = riser.labels[int(errors.argmax())]
+        remedy = "; give a finer analysis.mesh and a shorter analysis.step, or analysis.accuracy instead"
+        yield (
+            f"with the scene's {kind}, demands have an estimated error of up to {off:.1%} ({worst})"
+            f"{remedy if own and off > SURE else ''}"
+        )
     if riser.seeds == 1:
         yield "no band includes the effect of other seeds, which is unknown"
 
