@@ -1,13 +1,17 @@
 """Every command has an example in its help, and says what it has written."""
 
+import re
 import shlex
+from pathlib import Path
 
 import pytest
 import typer
+import yaml
 
 from riserstudy.cli import app
 from riserstudy.cli.examples import EXAMPLES
 
+ROOT = Path(__file__).parents[2]
 COMMANDS = typer.main.get_command(app).commands
 SCENE = """\
 title: hung
@@ -44,6 +48,18 @@ def test_an_example_is_a_command_line_that_is_understood(name):
     context = COMMANDS[name].make_context(name, words[2:])
     assert context.params
     assert EXAMPLES[name] in " ".join(COMMANDS[name].epilog.split())
+
+
+def test_studies_of_the_repository_in_examples_exist():
+    """A dataset of results/, and the argument of ``results``; ``mine`` stands for a study of a user."""
+    studies = {
+        (file.stem, name)
+        for file in (ROOT / "config/studies").glob("*.yaml")
+        for name in yaml.safe_load(file.read_text("utf-8")).get("studies", {})
+    }
+    named = re.findall(r"results[ /](\w+)/(\w+)", " ".join(EXAMPLES.values()))
+    assert len(named) == 3
+    assert {pair for pair in named if pair[0] != "mine"} <= studies
 
 
 @pytest.mark.parametrize("command, target", [("draw", "a.png"), ("run", "a.nc"), ("table", "a.csv")])

@@ -5,7 +5,7 @@ from __future__ import annotations
 EXAMPLES = {
     "run": "riserstudy run riser.yaml -o riser.nc --accuracy 1%",
     "check": "riserstudy check riser.yaml --set platform.position.surge='20 m'",
-    "rerun": "riserstudy rerun results/bench/surge.nc",
+    "rerun": "riserstudy rerun results/bench/s2.nc",
     "modes": "riserstudy modes riser.yaml --count 5",
     "tune": "riserstudy tune config/studies/drilling.yaml --accuracy 1% --write",
     "plot": "riserstudy plot riser.nc -o ranges.png --of bending_moment",
@@ -32,7 +32,7 @@ EXAMPLES = {
     "export": "riserstudy export riser.yaml -o deck.yml",
     "new": "riserstudy new my_study",
     "schema": "riserstudy schema scene > scene.schema.json",
-    "results": "riserstudy results bench/surge --sort -largest_bending_moment",
+    "results": "riserstudy results liu2020/roll_runs --sort -largest_bending_moment",
     "sql": "riserstudy sql 'select paper, id, verdict from numbers_and_claims' --csv verdicts.csv",
     "verify": "riserstudy verify",
     "prune": "riserstudy prune",

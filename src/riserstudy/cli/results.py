@@ -67,6 +67,9 @@ def results(
     from riserstudy.database.ask import NAME, connect
 
     words = names or []
+    for option, text in (("--where", where), ("--columns", columns), ("--sort", sort)):
+        if text is not None and not text.strip():
+            raise InputError(option, repr(text), "the text is empty", "omit the option, or give a value")
     with connect(folder / NAME) as db:
         _check_csv(csv, db, folder, force, as_json)
         _note_changes(db, folder)
@@ -81,6 +84,10 @@ def results(
         else:
             answer = listing.points(db, words) if words else listing.studies(db)
             units = {}
+        if words and not answer.rows:
+            found = "no study has this name, and no" if len(words) == 1 else "no"
+            note = f"{found} point has a description that contains {' and '.join(map(repr, words))}"
+            print(f"riserstudy: note: {note}", file=sys.stderr)
     _show(answer, csv, as_json, units)
 
 
@@ -104,12 +111,13 @@ def sql(
 def _check_csv(csv: Path | None, db: sqlite3.Connection, folder: Path, force: bool, as_json: bool) -> None:
     """Refuse an output that would replace the database, or a file that it describes, or printed JSON."""
     from riserstudy.database.ask import NAME, ask
+    from riserstudy.files.seals import sealed
 
     if csv is not None:
         if as_json:
             raise InputError("--json", "", "has no effect with --csv", "give either --json or --csv")
         files = [folder / str(path) for (path,) in ask(db, "select path from files").rows]
-        check_output(csv, ("table",), [folder / NAME, *files], force, "--csv")
+        check_output(csv, ("table",), [folder / NAME, *files, *sealed(folder)], force, "--csv")
 
 
 def _note_changes(db: sqlite3.Connection, folder: Path) -> None:

@@ -45,6 +45,8 @@ def open_results(folder: str | Path = "results") -> xr.DataTree:
 
 def open_dataset(path: Path) -> xr.Dataset:
     """A dataset, with times as plain numbers (s). Raises InputError when it cannot be read, or is damaged."""
+    if not Path(path).exists():
+        raise InputError(path, "", "there is no such file", "give the path of a dataset")
     try:
         return load(path, decode_times=False)
     except (OSError, ValueError, RuntimeError):

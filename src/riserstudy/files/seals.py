@@ -22,3 +22,9 @@ def fits_seal(file: Path, results: Path) -> bool:
         return (results / SEALS / name).read_bytes() == seal_line(file, name)
     except OSError:
         return False
+
+
+def sealed(results: Path) -> list[Path]:
+    """Files of a results folder that jobs made."""
+    seals = results / SEALS
+    return [results / seal.relative_to(seals) for seal in seals.rglob("*") if seal.is_file()]
