@@ -13,9 +13,10 @@ from riserstudy.scene.sea import Storm
 THEORY = Path(__file__).parents[2] / "docs" / "theory.md"
 COUNTS = (20, 100, 400)
 SAID = (
-    r"the last component of a simulated sea has (\S+) times the peak frequency with 20 components, (\S+) times with 100 "
-    r"components, and (\S+) times with 400 components\. .* The zero-upcrossing period of the simulated sea "
-    r"is (\S+) % too long with 20 components, (\S+) % with 100 components, and (\S+) % with 400 components"
+    r"the last component of a simulated sea has (\S+) times the peak frequency with 20 components, "
+    r"(\S+) times with 100 components, and (\S+) times with 400 components\. .* "
+    r"The zero-upcrossing period of the simulated sea is (\S+) % too long with 20 components, "
+    r"(\S+) % with 100 components, and (\S+) % with 400 components"
 )
 
 
