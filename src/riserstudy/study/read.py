@@ -63,6 +63,7 @@ def _refuse_calls(file: StudyFile, path: Path, paper: str) -> None:
     """Refuse derived datasets and figures whose functions do not exist or have other arguments."""
     for name, derived in file.derived.items():
         if defining(chapter_modules(paper, "derived"), name) is None:
+            _refuse_absent(path, f"derived.{name}", paper)
             found = f"chapters/{paper}/derived.py defines no function {name}"
             raise InputError(path, f"derived.{name}", found, "define the function, or remove this entry")
         given = [*derived.reads, *derived.settings]
@@ -71,10 +72,18 @@ def _refuse_calls(file: StudyFile, path: Path, paper: str) -> None:
         if figure.plot:
             continue
         if defining(chapter_modules(paper, "figures"), name) is None:
+            _refuse_absent(path, f"figures.{name}", paper)
             found = f"the figure has no plot, and chapters/{paper}/figures.py defines no function {name}"
             raise InputError(path, f"figures.{name}", found, "add 'plot:' with one of " + ", ".join(NEEDS))
         given = [*figure.reads, *(figure.settings or {})]
         refuse_arguments(path, f"figures.{name}", paper, "figures", name, given)
+
+
+def _refuse_absent(path: Path, field: str, paper: str) -> None:
+    """Refuse a function of a chapter if the present folder has no chapters."""
+    if not Path("chapters").is_dir():
+        found = f"requires a function in chapters/{paper}, but the present folder has no chapters"
+        raise InputError(path, field, found, "run the command in the folder that contains `chapters`")
 
 
 def read_study(config: Path, paper: str, name: str, tier: Tier, accuracy: str | None) -> Study:
