@@ -2,6 +2,8 @@
 
 import json
 import re
+import sqlite3
+from contextlib import closing
 from pathlib import Path
 
 import pytest
@@ -49,3 +51,42 @@ def test_a_dataset_that_does_not_exist_is_named_as_such(here, commands):
     code, out, err = commands("rerun", "nosuch.nc")
     assert (code, out) == (2, "")
     assert "nosuch.nc: there is no such file" in err
+
+
+@pytest.mark.parametrize("how", [[], ["--json"]])
+def test_a_condition_that_no_point_meets_has_no_note(here, commands, how):
+    code, out, err = commands("results", "plain/surge", "--where", "amplitude > 1e9", *how)
+    assert (code, err) == (0, "")
+    assert json.loads(out) == [] if how else len(out.splitlines()) == 1
+
+
+@pytest.mark.parametrize("condition", ["nosuch > 3", 'amplitude = "two"'])
+def test_a_condition_with_an_unknown_name_lists_the_columns(here, commands, condition):
+    code, out, err = commands("results", "plain/surge", "--where", condition)
+    assert (code, out) == (2, "")
+    assert "single quotes" in err
+    assert "amplitude" in err.partition("columns: ")[2]
+    assert "select" not in err
+
+
+@pytest.mark.parametrize("minus", ["", "-"])
+def test_missing_values_are_last_in_both_orders(here, commands, minus):
+    tried = 0
+    with closing(sqlite3.connect("results/results.sqlite")) as db:
+        named = db.execute("select table_name, column_name from columns").fetchall()
+        for table, column in named:
+            values = [one for (one,) in db.execute(f'select "{column}" from "{table}"')]
+            known = [one for one in values if one is not None]
+            if len({*known}) < 2 or len(known) == len(values) or not isinstance(known[0], float | int):
+                continue
+            code, out, _ = commands(
+                "results", table, "--columns", column, f"--sort={minus}{column}", "--json"
+            )
+            assert code == 0
+            found = [row[column] for row in json.loads(out)]
+            ordered = sorted(known, reverse=bool(minus))
+            assert found == [*ordered, *[None] * (len(values) - len(known))], (table, column)
+            tried += 1
+            if tried == 5:
+                return
+    assert tried, "no column has missing values: this tests nothing"

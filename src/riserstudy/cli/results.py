@@ -84,7 +84,7 @@ def results(
         else:
             answer = listing.points(db, words) if words else listing.studies(db)
             units = {}
-        if words and not answer.rows:
+        if words and table is None and not answer.rows:
             found = "no study has this name, and no" if len(words) == 1 else "no"
             note = f"{found} point has a description that contains {' and '.join(map(repr, words))}"
             print(f"riserstudy: note: {note}", file=sys.stderr)
@@ -276,7 +276,9 @@ def diff(
 ) -> None:
     """List the changes between two sets of results: published numbers, verdicts, every dataset.
 
-    The exit status is 1 if any result changed.
+    Of a number or claim, ``diff`` compares the published and the computed value, the unit, the error, the
+    verdict and the deciding inputs. Of a dataset, ``diff`` compares all variables with their units, but no
+    other attributes. The exit status is 1 if any result changed.
     """
     from rich.console import Console
     from rich.table import Table
@@ -298,10 +300,8 @@ def diff(
             table.add_row(name, variable, "" if why else f"{change:.2g}", why)
         console.print(table)
     print(f"{len({one.item for one in changed.graded})} of {changed.rows} numbers and claims changed")
-    apart = f"; {changed.apart} changed numbers and claims cannot be compared" if changed.apart else ""
-    print(
-        f"{len(changed.varied)} of {changed.variables} variables changed, "
-        f"by {changed.largest:.2g} at most{apart}"
-    )
+    most = f", by {changed.largest:.2g} at most" if changed.apart < len(changed.varied) else ""
+    apart = f"; {counted(changed.apart, 'changed variable')} cannot be compared" if changed.apart else ""
+    print(f"{len(changed.varied)} of {changed.variables} variables changed{most}{apart}")
     if changed.graded or changed.varied:
         raise typer.Exit(1)

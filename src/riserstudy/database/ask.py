@@ -99,13 +99,17 @@ def _only_reads(action: int, first: str | None, second: str | None, *_: str | No
     return sqlite3.SQLITE_OK if action in READS and not refused else sqlite3.SQLITE_DENY
 
 
-def ask(db: sqlite3.Connection, sql: str, values: Sequence[Any] = (), where: str = "sql") -> Answer:
-    """Return the answer to a statement; ``where`` names the statement in errors.
+STATEMENT = "write one `select ...`; docs/results_database.md lists tables and columns"
+
+
+def ask(
+    db: sqlite3.Connection, sql: str, values: Sequence[Any] = (), where: str = "sql", allowed: str = STATEMENT
+) -> Answer:
+    """Return the answer to a statement; ``where`` names the statement in errors, ``allowed`` the remedy.
 
     Raises InputError when it is not a single statement that only reads, or names a table or column that does
     not exist.
     """
-    allowed = "write one `select ...`; docs/results_database.md lists tables and columns"
     try:
         cursor = db.execute(_with_names(sql), values)
         rows = _rows(cursor, where)

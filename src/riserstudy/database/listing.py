@@ -63,7 +63,10 @@ def cells(
         sql += f" where ({where}\n)"  # the line break ends a comment in the condition
     if sort:
         sql += " order by " + ", ".join(map(_sorted, sort))
-    return ask(db, sql, where="--where" if where else "results")
+    if not where:
+        return ask(db, sql, where="results")
+    allowed = f"write a condition on columns, with texts in single quotes; columns: {', '.join(known)}"
+    return ask(db, sql, where="--where", allowed=allowed)
 
 
 def _main(name: str, role: str) -> bool:
@@ -71,7 +74,7 @@ def _main(name: str, role: str) -> bool:
 
 
 def _sorted(name: str) -> str:
-    return f"{quoted(name.removeprefix('-'))}{' desc' if name.startswith('-') else ''}"
+    return f"{quoted(name.removeprefix('-'))}{' desc' if name.startswith('-') else ''} nulls last"
 
 
 def units(db: sqlite3.Connection, table: str) -> dict[str, str]:

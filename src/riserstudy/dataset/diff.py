@@ -1,7 +1,8 @@
 """Differences between two sets of results: published values, verdicts, and every variable of datasets.
 
 The change of a variable is its largest absolute difference divided by its largest magnitude in either
-dataset, because a relative change near a zero crossing has no meaning. If grids differ, their common points
+dataset, because a relative change near a zero crossing has no meaning. Statistics of different quantities in
+one variable are compared one by one. If grids differ, their common points
 are compared, and their number is reported. Elapsed times are not compared, and neither are keys of stored
 points, which change with every edit of the engine, and records of warnings, whose sentences are compared.
 """
@@ -23,7 +24,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 TABLE = "reproduction.csv"
-COLUMNS = ("simulated", "error", "verdict", "depends_on")
+COLUMNS = ("published", "simulated", "unit", "error", "verdict", "depends_on")
+MIXED = "statistic"  # a dimension along which quantities and units differ
 _LEFT_OUT = re.compile(r"seconds$|^wall_|^time_(change|share)$|^(point_key|warning_records)$")
 
 
@@ -125,6 +127,8 @@ def _varied(name: str, old: Path | None, new: Path | None) -> Iterator[Varied]:
     before, after = open_dataset(old), open_dataset(new)
     for axis in sorted({*map(str, before.indexes)} & {*map(str, after.indexes)}):
         places = [before[axis].values.tolist(), after[axis].values.tolist()]
+        if _same(before[axis].values, after[axis].values):
+            continue
         if set(places[0]) != set(places[1]):
             before, after, common = _at_common_points(axis, before, after)
             yield Varied(
@@ -168,6 +172,13 @@ def _at_common_points(axis: str, old: xr.Dataset, new: xr.Dataset) -> tuple[xr.D
     return old.isel({axis: np.sort(here)}), new.isel({axis: there[np.argsort(here)]}), len(common)
 
 
+def _same(old: NDArray[Any], new: NDArray[Any]) -> bool:
+    """Whether two axes are equal; a missing value is equal to a missing value at the same place."""
+    import numpy as np
+
+    return np.array_equal(old, new, equal_nan=old.dtype.kind == new.dtype.kind == "f")
+
+
 def _one(name: str, variable: str, old: xr.DataArray, new: xr.DataArray) -> Varied:
     import numpy as np
 
@@ -179,11 +190,14 @@ def _one(name: str, variable: str, old: xr.DataArray, new: xr.DataArray) -> Vari
         before, now = (unit or "none" for unit in units)
         return Varied(name, variable, float("inf"), f"unit {before}, now {now}")
     if a.dtype.kind not in "fiu" or b.dtype.kind not in "fiu":
-        same = np.array_equal(a, b)
-        return Varied(name, variable, 0.0) if same else Varied(name, variable, 0.0, "other text")
+        other = "other values" if a.dtype.kind == b.dtype.kind == "b" else "other text"
+        return Varied(name, variable, 0.0, "" if np.array_equal(a, b) else other)
     if not np.array_equal(np.isfinite(a), np.isfinite(b)):
         return Varied(name, variable, float("inf"), "defined elsewhere")
-    change = relative_change(a, b)
+    parts = range(old.sizes[MIXED]) if MIXED in old.dims else [slice(None)]
+    place = old.dims.index(MIXED) if MIXED in old.dims else 0
+    of_parts = [(slice(None),) * place + (part,) for part in parts]
+    change = max((relative_change(a[part], b[part]) for part in of_parts), default=0.0)
     why = "infinite or undefined, unlike before" if np.isinf(change) else ""
     return Varied(name, variable, change, why)
 
