@@ -76,3 +76,14 @@ def test_the_last_line_counts_variables(tmp_path, commands):
     )
     shutil.copy(a, tmp_path / "d.nc")
     assert commands("diff", a, tmp_path / "d.nc")[0] == 0
+
+
+@pytest.mark.parametrize("shape", [(), (1,), (0,), (2, 0), (3, 1)])
+def test_variables_of_any_shape_are_compared(tmp_path, shape):
+    dims = tuple("pq"[: len(shape)])
+    a, b = (
+        written(tmp_path, name, v=(dims, np.full(shape, value))) for name, value in (("a", 2.0), ("b", 2.5))
+    )
+    changed = [one.change for one in changes(a, b).varied]
+    assert changed == ([pytest.approx(0.2)] if np.prod(shape) else [])
+    assert changes(a, a).varied == []

@@ -194,9 +194,10 @@ def _one(name: str, variable: str, old: xr.DataArray, new: xr.DataArray) -> Vari
         return Varied(name, variable, 0.0, "" if np.array_equal(a, b) else other)
     if not np.array_equal(np.isfinite(a), np.isfinite(b)):
         return Varied(name, variable, float("inf"), "defined elsewhere")
-    parts = range(old.sizes[MIXED]) if MIXED in old.dims else [slice(None)]
-    place = old.dims.index(MIXED) if MIXED in old.dims else 0
-    of_parts = [(slice(None),) * place + (part,) for part in parts]
+    of_parts: list[Any] = [...]
+    if MIXED in old.dims:
+        ahead = (slice(None),) * old.dims.index(MIXED)
+        of_parts = [(*ahead, k) for k in range(old.sizes[MIXED])]
     change = max((relative_change(a[part], b[part]) for part in of_parts), default=0.0)
     why = "infinite or undefined, unlike before" if np.isinf(change) else ""
     return Varied(name, variable, change, why)
