@@ -1,13 +1,13 @@
 """Workable hours by direction, against rows that are counted one after another."""
 
 import math
+import re
 
 import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.errors import InputError
-from riserstudy.seas.by_direction import UNKNOWN, by_direction, check_directions
+from riserstudy.seas.by_direction import UNKNOWN, by_direction
 from riserstudy.seas.hours import hours, sea_limit
 
 
@@ -88,8 +88,13 @@ def test_nothing_lost_has_no_shares_of_it():
     assert {row[4] for row in table.rows} == {""}
 
 
-def test_a_record_without_directions_is_refused():
-    bare = record(0).drop_vars("wave_from_direction")
-    check_directions(bare, None)
-    with pytest.raises(InputError, match=r"--by-direction.*no directions"):
-        check_directions(bare, 8)
+def test_a_record_without_directions_is_refused(commands, tmp_path):
+    """Only where the table is requested."""
+    hours = np.datetime_as_string(record(0)["time"].values[:40], unit="s")
+    rows = "".join(f"{time},{1.0 + k % 3}\n" for k, time in enumerate(hours))
+    (tmp_path / "seas.csv").write_text("time,hs (m)\n" + rows)
+    words = ["downtime", tmp_path / "seas.csv", "--limit", "hs <= 2 m"]
+    assert commands(*words)[0] == 0
+    code, out, err = commands(*words, "--by-direction", "8")
+    assert (code, out) == (2, "")
+    assert re.search(r"--by-direction.*no directions", err)

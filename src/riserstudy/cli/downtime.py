@@ -199,7 +199,7 @@ def downtime(
     the error of the interpolation is within the tolerance --error. Finally, ``downtime`` checks the
     interpolation by simulations of further sea states.
     """
-    from riserstudy.seas.by_direction import check_directions
+    from riserstudy.seas.directions import FROM, check_directions
     from riserstudy.seas.hours import check_resumes, idle_limits, sea_limit
     from riserstudy.seas.record import check_windows
 
@@ -222,7 +222,8 @@ def downtime(
     lengths = [positive("--window", one, "s") / 3600.0 for one in window or []]
     sea, years = _read(record), Ahead(ahead, persistence)
     check_windows(sea, window or [])
-    check_directions(sea, by_direction)
+    if by_direction:
+        check_directions(sea, "downtime", "--by-direction", f"add a column {FROM}, or omit the option")
     for text in idle_limits(sea, [*limits, *resumes]):
         notify(f"warning: {text}")
     if not scene:

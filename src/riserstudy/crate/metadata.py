@@ -13,7 +13,7 @@ from riserstudy.crate.claims import claim_entities
 from riserstudy.crate.entities import Entity, file_entity, licence, ref, software
 from riserstudy.crate.records import Made, recorded
 from riserstudy.files.digests import dependencies
-from riserstudy.files.seals import SEALS
+from riserstudy.files.seals import sealed
 from riserstudy.files.whole import write_whole
 from riserstudy.folders import PACKAGE
 
@@ -61,10 +61,8 @@ def _imported_by_chapters(study: Path) -> list[Path]:
 
 def outputs_of(study: Path) -> list[str]:
     """Return the files that jobs of a study have made and sealed, as paths relative to its folder."""
-    results = study / "results"
-    seals = sorted(path for path in (results / SEALS).rglob("*") if path.is_file())
-    names = [path.relative_to(results / SEALS).as_posix() for path in seals]
-    return [f"results/{name}" for name in names if (results / name).is_file()]
+    files = sorted(sealed(study / "results"))
+    return [file.relative_to(study).as_posix() for file in files if file.is_file()]
 
 
 def write_crate(study: Path) -> Path | None:

@@ -2,9 +2,9 @@
 
 The change of a variable is its largest absolute difference divided by its largest magnitude in either
 dataset, because a relative change near a zero crossing has no meaning. Statistics of different quantities in
-one variable are compared one by one. If grids differ, their common points
-are compared, and their number is reported. Elapsed times are not compared, and neither are keys of stored
-points, which change with every edit of the engine, and records of warnings, whose sentences are compared.
+one variable are compared one by one. If grids differ, their common points are compared, and their number is
+reported. Elapsed times are not compared, and neither are keys of stored points, which change with every edit
+of the engine, and records of warnings, whose sentences are compared.
 """
 
 from __future__ import annotations

@@ -44,6 +44,7 @@ FACTS = (
 LEAST_LEFT = 0.1
 # largest error on a prescribed mesh, as a share, with which the place or time of reaching a limit is known
 SURE = 0.05
+FINER = "give a finer analysis.mesh and a shorter analysis.step, or analysis.accuracy instead"
 #: variables over ``limit`` with the parts of each label; the last one includes the place
 PARTS = ("mode_of_limit", "side_of_limit", "output_of_limit")
 WITHIN, EXCEEDED, UNKNOWN = "within", "exceeded", "not evaluated"
@@ -144,10 +145,7 @@ def too_coarse(limit: Limit, error: Error) -> str:
     if (error.size / abs(limit.allowable) if of_allowable else error.share) <= SURE:
         return ""
     most = f"{100.0 * SURE:g} %{' of its allowable' if of_allowable else ' of its largest value'}"
-    return (
-        f"{error.words}, below {most}; give a finer analysis.mesh and a shorter analysis.step, or "
-        "analysis.accuracy instead"
-    )
+    return f"{error.words}, below {most}; {FINER}"
 
 
 def _absolute(share: float, outputs: Collection[str], facts: Mapping[str, Any]) -> float:

@@ -68,6 +68,14 @@ def _now(column, s):
 
 
 @inner
+def _levels(column, k, x):
+    """Level of the fluid, and of the sea water below the contents (m)."""
+    top = (1.0 - x) * column.top[k] + x * column.top[k + 1]
+    water = (1.0 - x) * column.water[k] + x * column.water[k + 1]
+    return top, water
+
+
+@inner
 def _filled(column, s, e, level):
     """Length of a segment below a level (m)."""
     return min(max(level - column.foot[e], 0.0), s.l0[e])
@@ -86,8 +94,7 @@ def place(column, s):
     """Update the mass in each segment, and the load and mass of the effects that use it, to this time."""
     k, x = _now(column, s)
     span = column.time[1] - column.time[0]
-    top = (1.0 - x) * column.top[k] + x * column.top[k + 1]
-    water = (1.0 - x) * column.water[k] + x * column.water[k + 1]
+    top, water = _levels(column, k, x)
     for i in range(column.load.shape[0]):
         column.load[i] = column.dead[i]
     for e in range(s.l0.shape[0]):
@@ -118,8 +125,7 @@ def _turning(column, i, k, x):
     if column.steps[i] == 0.0:
         return 0.0
     square = (1.0 - x) * column.square[k] + x * column.square[k + 1]
-    top = (1.0 - x) * column.top[k] + x * column.top[k + 1]
-    water = (1.0 - x) * column.water[k] + x * column.water[k + 1]
+    top, water = _levels(column, k, x)
     contents, sea = column.densities
     height = column.foot[i]
     density = sea if height < water else contents if height < top else 0.0

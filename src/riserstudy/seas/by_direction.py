@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from riserstudy.dataset.table import Cell, Table
-from riserstudy.errors import InputError
 from riserstudy.seas.directions import FROM
 
 if TYPE_CHECKING:
@@ -20,14 +19,6 @@ UNITS = ["deg", "", "%", "%", "%"]
 UNKNOWN = "no direction"
 
 
-def check_directions(record: xr.Dataset, sectors: int | None) -> None:
-    """Refuse sectors for a record without directions. Raises InputError."""
-    if sectors and FROM not in record:
-        there = ", ".join(sorted(map(str, record.data_vars)))
-        found = f"the record has no directions; it has {there}"
-        raise InputError("downtime", "--by-direction", found, f"add a column {FROM}, or omit the option")
-
-
 def by_direction(found: Hours, record: xr.Dataset, sectors: int) -> Table:
     """Workable and lost hours in equal sectors, the first about north, clockwise.
 
@@ -37,16 +28,15 @@ def by_direction(found: Hours, record: xr.Dataset, sectors: int) -> Table:
     width = 360.0 / sectors
     row = np.searchsorted(record["time"].values, found.time)
     direction = record[FROM].values[row]
-    with np.errstate(invalid="ignore"):
-        sector = np.floor((direction + 0.5 * width) % 360.0 / width)
+    sector = np.floor((direction + 0.5 * width) % 360.0 / width)
     names = [f"{(k - 0.5) * width % 360.0:g} to {(k + 0.5) * width % 360.0:g}" for k in range(sectors)]
+    unknown = np.isnan(direction)
     places = [(name, sector == k) for k, name in enumerate(names)]
+    places += [(UNKNOWN, unknown)] if unknown.any() else []
     lost = int((~found.workable).sum())
     rows: list[list[Cell]] = []
-    for name, at in [*places, (UNKNOWN, np.isnan(direction))]:
+    for name, at in places:
         number = int(at.sum())
-        if name == UNKNOWN and not number:
-            continue
         workable = round(100.0 * float(found.workable[at].mean()), 1) if number else ""
         of_lost = round(100.0 * int((~found.workable[at]).sum()) / lost, 1) if lost else ""
         rows.append([name, number, round(100.0 * number / len(found.time), 1), workable, of_lost])

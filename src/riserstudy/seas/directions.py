@@ -70,10 +70,7 @@ class Directions(NamedTuple):
         bearings. Calm rows, without waves, may lack a direction; they have the most frequent lower heading.
         Raises InputError when the record has no directions.
         """
-        if FROM not in record:
-            there = ", ".join(sorted(map(str, record.data_vars)))
-            found = f"the record has no directions; it has {there}"
-            raise InputError("RECORD", FROM, found, "add this column")
+        check_directions(record, "RECORD", FROM, "add this column")
         towards = np.radians(record[FROM].values) + math.pi
         place = (self.x_towards - towards) * self.sectors / (2.0 * math.pi)
         known = np.isfinite(place)
@@ -108,6 +105,13 @@ class Directions(NamedTuple):
         """
         values = heading_values(file, 2 * self.sectors)[2 * heading + 1]
         return file.with_values(values, "--sectors")
+
+
+def check_directions(record: xr.Dataset, where: str, field: str, allowed: str) -> None:
+    """Check that a record has directions. Raises InputError, with the place and remedy, if it does not."""
+    if FROM not in record:
+        there = ", ".join(sorted(map(str, record.data_vars)))
+        raise InputError(where, field, f"the record has no directions; it has {there}", allowed)
 
 
 def directions_that_count(

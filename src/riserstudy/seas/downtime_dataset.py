@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.limits import SURE
+from riserstudy.dataset.limits import FINER, SURE
 from riserstudy.dataset.statistics import NOT_EXCEEDED
 from riserstudy.files.digests import engine_digest
 from riserstudy.records.numerals import newtons, percent
@@ -101,10 +101,9 @@ def _of_demands(parts: Sequence[Part]) -> Iterator[str]:
         own = has_own_mesh(riser.file) and not any(part.mesh for part in parts)
         kind = "mesh and step" if own else "accuracy"
         worst = riser.labels[int(errors.argmax())]
-        remedy = "; give a finer analysis.mesh and a shorter analysis.step, or analysis.accuracy instead"
         yield (
             f"with the scene's {kind}, demands have an estimated error of up to {off:.1%} ({worst})"
-            f"{remedy if own and off > SURE else ''}"
+            f"{f'; {FINER}' if own and off > SURE else ''}"
         )
     if riser.seeds == 1:
         yield "no band includes the effect of other seeds, which is unknown"

@@ -1,12 +1,16 @@
 """Titles of the figures of trends state what the runs show."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 import xarray as xr
+import yaml
 
 from chapters.fem_riser.figures import motion, trends
 from riserstudy.figures.figure_text import headline
 
+PUBLISHED = Path(__file__).parents[3] / "config/published/fem_riser.yaml"
 NAMES = ("deflection", "stress", "angle", "vibration")
 
 
@@ -49,3 +53,9 @@ def test_waves_are_said_to_stay_near_the_surface_only_where_they_do(seed):
     assert ("near the surface only" in title) == (reach < 0.1)
     if reach > 0.1:
         assert float(title.split()[-2]) == pytest.approx(reach * depth[-1], abs=2.0 + 0.5)  # grid, rounding
+
+
+def test_the_title_and_the_claim_use_the_same_shares():
+    claims = yaml.safe_load(PUBLISHED.read_text("utf-8"))["items"]
+    (claim,) = [one for one in claims if one["id"] == "B1"]
+    assert claim["with"] == {"share": motion.FADED, "within": motion.NEAR_SURFACE}
